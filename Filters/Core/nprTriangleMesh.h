@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprTriangleMesh_h
+#define nprTriangleMesh_h
+
+#include "vtkNPRFiltersCoreModule.h"
+#include <vtkType.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+namespace npr
+{
+/**
+ * @class TriangleMesh
+ * @brief The triangles of a vtkPolyData as flat arrays, with their adjacency.
+ *
+ * Points are kept as floats relative to the centre of the bounds (Origin), so that nothing is lost
+ * far from the origin of the coordinates. Only the triangles among the polygons are taken; each
+ * remembers its cell. A triangle's edge e runs from its corner e to its corner (e + 1) % 3.
+ */
+class VTKNPRFILTERSCORE_EXPORT TriangleMesh
+{
+public:
+  using Index = std::int32_t;
+  using Triangle = std::array<Index, 3>;
+  using Vector = Eigen::Vector3f;
+
+  /// Values of GetNeighbour() where there is not exactly one triangle on the other side.
+  static constexpr Index Boundary = -1;
+  static constexpr Index NonManifold = -2;
+
+  explicit TriangleMesh(vtkPolyData* surface);
+
+  Index GetNumberOfPoints() const { return static_cast<Index>(this->Points.size()); }
+  Index GetNumberOfTriangles() const { return static_cast<Index>(this->Triangles.size()); }
+  const Vector& GetPoint(Index point) const { return this->Points[point]; }
+  const Triangle& GetTriangle(Index triangle) const { return this->Triangles[triangle]; }
+  /// What was subtracted from the points.
+  const Eigen::Vector3d& GetOrigin() const { return this->Origin; }
+  /// The cell of the vtkPolyData that the triangle is.
+  vtkIdType GetCellId(Index triangle) const { return this->CellIds[triangle]; }
+
+  const std::vector<Vector>& GetPoints() const { return this->Points; }
+  const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
+
+  /// Normal of the triangle by the right-hand rule, as long as twice its area.
+  Vector GetAreaNormal(Index triangle) const;
+
+  /// Root mean square distance of the surface from its centroid: a length that depends on the
+  /// shape alone, not on its tessellation, place or rotation. Zero without area.
+  double ComputeLengthScale() const;
+
+  /// @name Adjacency
+  /// Call the Build function before the first of its Get functions.
+  ///@{
+  void BuildNeighbours();
+  /// The triangle across edge e, or Boundary or NonManifold.
+  Index GetNeighbour(Index triangle, int edge) const { return this->Neighbours[triangle][edge]; }
+
+  void BuildIncidence();
+  /// The triangles around a point, in ascending order: [Begin, End).
+  const Index* IncidentBegin(Index point) const
+  {
+    return this->Incident.data() + this->IncidentOffsets[point];
+  }
+  const Index* IncidentEnd(Index point) const
+  {
+    return this->Incident.data() + this->IncidentOffsets[point + 1];
+  }
+  ///@}
+
+private:
+  std::vector<Vector> Points;
+  std::vector<Triangle> Triangles;
+  std::vector<vtkIdType> CellIds;
+  Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
+  std::vector<Triangle> Neighbours;
+  std::vector<Index> IncidentOffsets;
+  std::vector<Index> Incident;
+};
+}
+
+#endif

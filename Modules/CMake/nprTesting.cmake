@@ -1,0 +1,30 @@
+# Helpers that declare tests. A test is one function `int TestXxx(int argc, char* argv[])` in
+# TestXxx.cxx beside the module it tests, as in VTK, and one line here.
+
+set(NPR_TEST_OUTPUT "${CMAKE_BINARY_DIR}/Testing/Output")
+file(MAKE_DIRECTORY "${NPR_TEST_OUTPUT}")
+
+# No test opens a window on the screen of whoever runs it.
+set(NPR_TEST_ENVIRONMENT "NPR_OFFSCREEN=osmesa" "LP_NUM_THREADS=2")
+
+# npr_add_tests(NAME <module library, such as vtkNPRFiltersLines>
+#   SOURCES TestA.cxx TestB.cxx ... [LIBRARIES <targets>...])
+#
+# Builds one test program and adds a test `<NAME>.TestA` for each source. Each is called with
+# `-B <Testing/Data/Baseline beside it> -T <folder for output> -D <Testing/Data of the project>`.
+function (npr_add_tests)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;LIBRARIES")
+  create_test_sourcelist(sources "${arg_NAME}Tests.cxx" ${arg_SOURCES})
+  add_executable(${arg_NAME}Tests ${sources})
+  target_link_libraries(${arg_NAME}Tests PRIVATE ${arg_LIBRARIES})
+  target_compile_options(${arg_NAME}Tests PRIVATE ${NPR_WARNINGS})
+  foreach (source IN LISTS arg_SOURCES)
+    cmake_path(GET source STEM test)
+    add_test(NAME "${arg_NAME}.${test}"
+      COMMAND ${arg_NAME}Tests ${test}
+        -B "${CMAKE_CURRENT_SOURCE_DIR}/../Data/Baseline"
+        -T "${NPR_TEST_OUTPUT}" -D "${CMAKE_SOURCE_DIR}/Testing/Data")
+    set_tests_properties("${arg_NAME}.${test}" PROPERTIES
+      ENVIRONMENT "${NPR_TEST_ENVIRONMENT}" TIMEOUT 300)
+  endforeach ()
+endfunction ()
