@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace npr
 {
@@ -29,31 +30,68 @@ TriangleMesh::TriangleMesh(vtkPolyData* surface)
     }
   }
   this->Points.resize(numberOfPoints);
-  vtkSMPTools::For(0, numberOfPoints, [&](vtkIdType begin, vtkIdType end) {
-    Eigen::Vector3d point;
-    for (vtkIdType i = begin; i < end; ++i)
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      surface->GetPoints()->GetPoint(i, point.data());
-      this->Points[i] = (point - this->Origin).cast<float>();
-    }
-  });
+      Eigen::Vector3d point;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        surface->GetPoints()->GetPoint(i, point.data());
+        this->Points[i] = (point - this->Origin).cast<float>();
+      }
+    });
 
   vtkCellArray* polygons = surface->GetPolys();
   this->Triangles.reserve(polygons->GetNumberOfCells());
   this->CellIds.reserve(polygons->GetNumberOfCells());
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   auto iterator = vtk::TakeSmartPointer(polygons->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal();
+       iterator->GoToNextCell(), ++cell)
   {
     vtkIdType size;
     const vtkIdType* corners;
     iterator->GetCurrentCell(size, corners);
-    if (size == 3)
+    if (size == 3 && this->IsUsable(corners))
     {
       this->Triangles.push_back({ static_cast<Index>(corners[0]), static_cast<Index>(corners[1]),
         static_cast<Index>(corners[2]) });
       this->CellIds.push_back(cell);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+TriangleMesh::TriangleMesh(
+  std::vector<Vector> points, std::vector<Triangle> triangles, const Eigen::Vector3d& origin)
+  : Points(std::move(points)), Triangles(std::move(triangles)), Origin(origin)
+{
+}
+
+//------------------------------------------------------------------------------
+bool TriangleMesh::IsUsable(const vtkIdType* corners) const
+{
+  Vector sum = Vector::Zero();
+  for (int i = 0; i < 3; ++i)
+  {
+    if (corners[i] < 0 || corners[i] >= this->GetNumberOfPoints() ||
+      corners[i] == corners[(i + 1) % 3])
+    {
+      return false;
+    }
+    sum += this->Points[corners[i]];
+  }
+  // A sum is finite only if all that went into it was.
+  return sum.allFinite();
+}
+
+//------------------------------------------------------------------------------
+void TriangleMesh::Flip(Index triangle)
+{
+  std::swap(this->Triangles[triangle][1], this->Triangles[triangle][2]);
+  if (!this->Neighbours.empty())
+  {
+    std::swap(this->Neighbours[triangle][0], this->Neighbours[triangle][2]);
   }
 }
 
@@ -133,26 +171,129 @@ void TriangleMesh::BuildNeighbours()
     this->BuildIncidence();
   }
   this->Neighbours.resize(this->Triangles.size());
-  vtkSMPTools::For(0, this->GetNumberOfTriangles(), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType t = begin; t < end; ++t)
+  vtkSMPTools::For(0, this->GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const Triangle& corners = this->Triangles[t];
-      for (int e = 0; e < 3; ++e)
+      for (vtkIdType t = begin; t < end; ++t)
       {
-        const Index from = corners[e];
-        const Index to = corners[(e + 1) % 3];
-        Index neighbour = Boundary;
-        for (const Index* other = this->IncidentBegin(from); other != this->IncidentEnd(from); ++other)
+        const Triangle& corners = this->Triangles[t];
+        for (int e = 0; e < 3; ++e)
         {
-          const Triangle& o = this->Triangles[*other];
-          if (*other != t && (o[0] == to || o[1] == to || o[2] == to))
+          // The point with fewer triangles is searched: hubs of fans may have thousands.
+          Index from = corners[e];
+          Index to = corners[(e + 1) % 3];
+          if (this->GetNumberOfIncident(to) < this->GetNumberOfIncident(from))
           {
-            neighbour = neighbour == Boundary ? *other : NonManifold;
+            std::swap(from, to);
           }
+          Index neighbour = Boundary;
+          for (const Index* other = this->IncidentBegin(from); other != this->IncidentEnd(from);
+               ++other)
+          {
+            const Triangle& o = this->Triangles[*other];
+            if (*other != t && (o[0] == to || o[1] == to || o[2] == to))
+            {
+              neighbour = neighbour == Boundary ? *other : NonManifold;
+            }
+          }
+          this->Neighbours[t][e] = neighbour;
         }
-        this->Neighbours[t][e] = neighbour;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+int TriangleMesh::CountTrianglesAtEdge(Index from, Index to) const
+{
+  if (this->GetNumberOfIncident(to) < this->GetNumberOfIncident(from))
+  {
+    std::swap(from, to);
+  }
+  int count = 0;
+  for (const Index* t = this->IncidentBegin(from); t != this->IncidentEnd(from); ++t)
+  {
+    const Triangle& corners = this->Triangles[*t];
+    count += corners[0] == to || corners[1] == to || corners[2] == to;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+bool TriangleMesh::IsBorderPoint(Index point) const
+{
+  for (const Index* t = this->IncidentBegin(point); t != this->IncidentEnd(point); ++t)
+  {
+    for (Index corner : this->Triangles[*t])
+    {
+      if (corner != point && this->CountTrianglesAtEdge(point, corner) != 2)
+      {
+        return true;
       }
     }
-  });
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void TriangleMesh::BuildEdges()
+{
+  if (this->IncidentOffsets.empty())
+  {
+    this->BuildIncidence();
+  }
+  const Index numberOfPoints = this->GetNumberOfPoints();
+  const auto collect = [this](Index point, std::vector<Index>& ends)
+  {
+    ends.clear();
+    for (const Index* t = this->IncidentBegin(point); t != this->IncidentEnd(point); ++t)
+    {
+      for (Index corner : this->Triangles[*t])
+      {
+        if (corner > point)
+        {
+          ends.push_back(corner);
+        }
+      }
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  };
+  this->EdgeOffsets.assign(numberOfPoints + 1, 0);
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Index> ends;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        collect(static_cast<Index>(i), ends);
+        this->EdgeOffsets[i + 1] = static_cast<Index>(ends.size());
+      }
+    });
+  for (Index i = 0; i < numberOfPoints; ++i)
+  {
+    this->EdgeOffsets[i + 1] += this->EdgeOffsets[i];
+  }
+  this->EdgeStarts.resize(this->EdgeOffsets.back());
+  this->EdgeEnds.resize(this->EdgeOffsets.back());
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Index> ends;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        collect(static_cast<Index>(i), ends);
+        const Index offset = this->EdgeOffsets[i];
+        std::copy(ends.begin(), ends.end(), this->EdgeEnds.begin() + offset);
+        std::fill_n(this->EdgeStarts.begin() + offset, ends.size(), static_cast<Index>(i));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+TriangleMesh::Index TriangleMesh::FindEdge(Index a, Index b) const
+{
+  const auto first = this->EdgeEnds.begin() + this->EdgeOffsets[std::min(a, b)];
+  const auto last = this->EdgeEnds.begin() + this->EdgeOffsets[std::min(a, b) + 1];
+  return static_cast<Index>(std::lower_bound(first, last, std::max(a, b)) - this->EdgeEnds.begin());
 }
 }

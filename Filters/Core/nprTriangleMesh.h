@@ -21,8 +21,9 @@ namespace npr
  * @brief The triangles of a vtkPolyData as flat arrays, with their adjacency.
  *
  * Points are kept as floats relative to the centre of the bounds (Origin), so that nothing is lost
- * far from the origin of the coordinates. Only the triangles among the polygons are taken; each
- * remembers its cell. A triangle's edge e runs from its corner e to its corner (e + 1) % 3.
+ * far from the origin of the coordinates. Only the triangles among the polygons are taken, and of
+ * those only the ones with three different, finite points; each remembers its cell. A triangle's
+ * edge e runs from its corner e to its corner (e + 1) % 3.
  */
 class VTKNPRFILTERSCORE_EXPORT TriangleMesh
 {
@@ -36,6 +37,10 @@ public:
   static constexpr Index NonManifold = -2;
 
   explicit TriangleMesh(vtkPolyData* surface);
+  /// Takes points (relative to `origin`) and triangles as they are; GetCellId() is then the
+  /// triangle.
+  TriangleMesh(std::vector<Vector> points, std::vector<Triangle> triangles,
+    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
   Index GetNumberOfPoints() const { return static_cast<Index>(this->Points.size()); }
   Index GetNumberOfTriangles() const { return static_cast<Index>(this->Triangles.size()); }
@@ -44,7 +49,10 @@ public:
   /// What was subtracted from the points.
   const Eigen::Vector3d& GetOrigin() const { return this->Origin; }
   /// The cell of the vtkPolyData that the triangle is.
-  vtkIdType GetCellId(Index triangle) const { return this->CellIds[triangle]; }
+  vtkIdType GetCellId(Index triangle) const
+  {
+    return this->CellIds.empty() ? triangle : this->CellIds[triangle];
+  }
 
   const std::vector<Vector>& GetPoints() const { return this->Points; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
@@ -55,6 +63,9 @@ public:
   /// Root mean square distance of the surface from its centroid: a length that depends on the
   /// shape alone, not on its tessellation, place or rotation. Zero without area.
   double ComputeLengthScale() const;
+
+  /// Turns the triangle over: swaps its last two corners, and its neighbours where they are built.
+  void Flip(Index triangle);
 
   /// @name Adjacency
   /// Call the Build function before the first of its Get functions.
@@ -73,9 +84,30 @@ public:
   {
     return this->Incident.data() + this->IncidentOffsets[point + 1];
   }
+  Index GetNumberOfIncident(Index point) const
+  {
+    return this->IncidentOffsets[point + 1] - this->IncidentOffsets[point];
+  }
+  /// How many triangles have an edge between two points (needs the incidence).
+  int CountTrianglesAtEdge(Index from, Index to) const;
+  /// Whether an edge at the point has another number of triangles than two (needs the incidence).
+  bool IsBorderPoint(Index point) const;
+
+  /// Numbers the edges: ascending by their lower, then by their higher point.
+  void BuildEdges();
+  Index GetNumberOfEdges() const { return static_cast<Index>(this->EdgeEnds.size()); }
+  /// The edge between two points that share a triangle.
+  Index FindEdge(Index a, Index b) const;
+  /// The lower and the higher point of an edge.
+  std::array<Index, 2> GetEdge(Index edge) const
+  {
+    return { this->EdgeStarts[edge], this->EdgeEnds[edge] };
+  }
   ///@}
 
 private:
+  bool IsUsable(const vtkIdType* corners) const;
+
   std::vector<Vector> Points;
   std::vector<Triangle> Triangles;
   std::vector<vtkIdType> CellIds;
@@ -83,6 +115,9 @@ private:
   std::vector<Triangle> Neighbours;
   std::vector<Index> IncidentOffsets;
   std::vector<Index> Incident;
+  std::vector<Index> EdgeOffsets;
+  std::vector<Index> EdgeStarts;
+  std::vector<Index> EdgeEnds;
 };
 }
 
