@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprSplines.h
+ * @brief One span of a cubic spline over four control points, and how finely it must be divided.
+ *
+ * A span over P0, P1, P2, P3 is evaluated at t in [0, 1]; it runs from (near) P1 to (near) P2.
+ * Catmull-Rom with tension (Catmull & Rom 1974; tension 0.5 is the usual one) interpolates its
+ * points and is C1; the uniform cubic B-spline stays inside the hull of its points and is C2.
+ */
+#ifndef nprSplines_h
+#define nprSplines_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace npr
+{
+using Vector3 = std::array<double, 3>;
+
+/// A cubic polynomial in t: Coefficients[k] belongs to t^k.
+struct CubicSpan
+{
+  std::array<Vector3, 4> Coefficients;
+
+  Vector3 Evaluate(double t) const
+  {
+    Vector3 result;
+    for (int c = 0; c < 3; ++c)
+    {
+      result[c] = this->Coefficients[0][c] +
+        t *
+          (this->Coefficients[1][c] +
+            t * (this->Coefficients[2][c] + t * this->Coefficients[3][c]));
+    }
+    return result;
+  }
+
+  Vector3 Derivative(double t) const
+  {
+    Vector3 result;
+    for (int c = 0; c < 3; ++c)
+    {
+      result[c] = this->Coefficients[1][c] +
+        t * (2 * this->Coefficients[2][c] + t * 3 * this->Coefficients[3][c]);
+    }
+    return result;
+  }
+
+  Vector3 SecondDerivative(double t) const
+  {
+    Vector3 result;
+    for (int c = 0; c < 3; ++c)
+    {
+      result[c] = 2 * this->Coefficients[2][c] + 6 * t * this->Coefficients[3][c];
+    }
+    return result;
+  }
+};
+
+namespace detail
+{
+/// basis[k][j] is the weight of point j in the coefficient of t^k.
+inline CubicSpan MakeSpan(const double (&basis)[4][4], const std::array<Vector3, 4>& points)
+{
+  CubicSpan span;
+  for (int k = 0; k < 4; ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      span.Coefficients[k][c] = basis[k][0] * points[0][c] + basis[k][1] * points[1][c] +
+        basis[k][2] * points[2][c] + basis[k][3] * points[3][c];
+    }
+  }
+  return span;
+}
+
+inline double Length(const Vector3& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+}
+
+inline CubicSpan LinearSpan(const std::array<Vector3, 4>& points)
+{
+  const double basis[4][4] = { { 0, 1, 0, 0 }, { 0, -1, 1, 0 }, { 0, 0, 0, 0 }, { 0, 0, 0, 0 } };
+  return detail::MakeSpan(basis, points);
+}
+
+inline CubicSpan CatmullRomSpan(const std::array<Vector3, 4>& points, double tension)
+{
+  const double s = tension;
+  const double basis[4][4] = { { 0, 1, 0, 0 }, { -s, 0, s, 0 }, { 2 * s, s - 3, 3 - 2 * s, -s },
+    { -s, 2 - s, s - 2, s } };
+  return detail::MakeSpan(basis, points);
+}
+
+inline CubicSpan BSplineSpan(const std::array<Vector3, 4>& points)
+{
+  const double u = 1.0 / 6;
+  const double basis[4][4] = { { u, 4 * u, u, 0 }, { -3 * u, 0, 3 * u, 0 },
+    { 3 * u, -6 * u, 3 * u, 0 }, { -u, 3 * u, -3 * u, u } };
+  return detail::MakeSpan(basis, points);
+}
+
+/// No chord of the span over an interval dt is farther from the curve than this times dt^2 / 8,
+/// for the second derivative of a cubic is linear in t.
+inline double MaximumSecondDerivative(const CubicSpan& span)
+{
+  return std::max(
+    detail::Length(span.SecondDerivative(0)), detail::Length(span.SecondDerivative(1)));
+}
+
+/// An upper bound of the speed: the control points of the derivative as a quadratic Bezier curve.
+inline double MaximumSpeed(const CubicSpan& span)
+{
+  const Vector3 first = span.Derivative(0);
+  const Vector3 half = span.Derivative(0.5);
+  const Vector3 last = span.Derivative(1);
+  Vector3 middle;
+  for (int c = 0; c < 3; ++c)
+  {
+    middle[c] = 2 * half[c] - 0.5 * (first[c] + last[c]);
+  }
+  return std::max({ detail::Length(first), detail::Length(middle), detail::Length(last) });
+}
+
+/// Equal steps in t so that no chord is longer than segmentLength and none is farther than
+/// chordError from the curve. A limit that is not positive doesn't count.
+inline int NumberOfSteps(const CubicSpan& span, double segmentLength, double chordError, int limit)
+{
+  double steps = 1;
+  if (segmentLength > 0)
+  {
+    steps = std::max(steps, std::ceil(MaximumSpeed(span) / segmentLength - 1e-9));
+  }
+  if (chordError > 0)
+  {
+    steps = std::max(
+      steps, std::ceil(std::sqrt(MaximumSecondDerivative(span) / (8 * chordError)) - 1e-9));
+  }
+  return static_cast<int>(std::min<double>(steps, limit));
+}
+}
+
+#endif
