@@ -8,7 +8,8 @@ set(NPR_VTK_COMPONENTS
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersTexture
   IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
   ImagingCore InteractionStyle
-  RenderingCore RenderingOpenGL2 RenderingUI)
+  RenderingCore RenderingOpenGL2 RenderingUI
+  vtksys)
 if (NPR_WRAP_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
   list(APPEND NPR_VTK_COMPONENTS WrappingPythonCore Python)
