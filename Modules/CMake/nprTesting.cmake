@@ -18,6 +18,10 @@ function (npr_add_tests)
   add_executable(${arg_NAME}Tests ${sources})
   target_link_libraries(${arg_NAME}Tests PRIVATE ${arg_LIBRARIES})
   target_compile_options(${arg_NAME}Tests PRIVATE ${NPR_WARNINGS})
+  # Object factories, such as the one that makes an OpenGL window of a vtkRenderWindow.
+  set(modules ${arg_LIBRARIES})
+  list(FILTER modules INCLUDE REGEX "^(VTK|NPR)::")
+  vtk_module_autoinit(TARGETS ${arg_NAME}Tests MODULES ${modules})
   foreach (source IN LISTS arg_SOURCES)
     cmake_path(GET source STEM test)
     add_test(NAME "${arg_NAME}.${test}"
