@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprStrokeLayer_h
+#define nprStrokeLayer_h
+
+#include "nprVTKCompat.h"
+
+#include <vtkNew.h>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+namespace npr
+{
+/**
+ * @class StrokeLayer
+ * @brief The two pictures that strokes are drawn with: the depth of what is drawn so far, and the
+ * ink.
+ *
+ * The ink has one channel, for all strokes of a mapper have one colour.
+ */
+class StrokeLayer
+{
+public:
+  StrokeLayer();
+  ~StrokeLayer();
+
+  /// Copies the depth of the bound draw framebuffer within the viewport (resolving samples).
+  /// Changes the bindings of framebuffers. False if that framebuffer has no depth.
+  bool CaptureDepth(vtkOpenGLRenderWindow* window, const int viewport[4]);
+
+  /// Binds the ink as the framebuffer to draw into, empty, as large as the viewport.
+  void BindInk(vtkOpenGLRenderWindow* window, int width, int height);
+
+  vtkTextureObject* GetDepth() { return this->Depth; }
+  vtkTextureObject* GetInk() { return this->Ink; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
+  unsigned int DepthFormat = 0;
+  vtkNew<vtkTextureObject> Ink;
+  vtkNew<vtkOpenGLFramebufferObject> InkFramebuffer;
+};
+}
+
+#endif

@@ -1,0 +1,101 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One instance is one segment of a stroke; its four vertices span the quad around the capsule that
+// the fragment shader fills. Everything after the clipping is in pixels of the viewport.
+
+in vec3 nprStart;     // model coordinates, relative to the origin of the buffer
+in vec3 nprStartInk;  // width, strength, 1 if a segment starts here
+in vec3 nprEnd;
+in vec3 nprEndInk;
+
+uniform mat4 nprMCDCMatrix;
+uniform vec2 nprViewportSize;          // pixels
+uniform float nprWidth;                // pixels
+uniform int nprUseWidths;              // whether the points' widths multiply nprWidth
+uniform float nprMinimumWidthFactor;   // of the width at strength 0
+uniform float nprMinimumOpacityFactor; // of the opacity at strength 0
+uniform float nprGuard;                // pixels around the viewport that ink may come from
+
+flat out vec4 nprAxisVSOut;  // both ends, pixels
+flat out vec2 nprDepthVSOut; // both ends, normalised device coordinates
+flat out vec4 nprInkVSOut;   // both ends: radius in pixels, opacity
+
+// Keeps the part [range.x, range.y] of the segment on the positive side of a plane.
+void clip(float start, float end, inout vec2 range)
+{
+  if (start < 0.0 && end < 0.0)
+  {
+    range = vec2(1.0, 0.0);
+  }
+  else if (start < 0.0)
+  {
+    range.x = max(range.x, start / (start - end));
+  }
+  else if (end < 0.0)
+  {
+    range.y = min(range.y, start / (start - end));
+  }
+}
+
+// Radius and opacity.
+vec2 ink(vec3 record)
+{
+  float strength = clamp(record.y, 0.0, 1.0);
+  float width = nprWidth * mix(nprMinimumWidthFactor, 1.0, strength);
+  if (nprUseWidths != 0)
+  {
+    width *= record.x;
+  }
+  return vec2(0.5 * width, mix(nprMinimumOpacityFactor, 1.0, strength));
+}
+
+void main()
+{
+  vec4 start = nprMCDCMatrix * vec4(nprStart, 1.0);
+  vec4 end = nprMCDCMatrix * vec4(nprEnd, 1.0);
+  vec2 reach = 1.0 + 2.0 * nprGuard / nprViewportSize;
+  vec2 range = vec2(0.0, 1.0);
+  clip(start.w + start.z, end.w + end.z, range);
+  clip(start.w - start.z, end.w - end.z, range);
+  clip(reach.x * start.w + start.x, reach.x * end.w + end.x, range);
+  clip(reach.x * start.w - start.x, reach.x * end.w - end.x, range);
+  clip(reach.y * start.w + start.y, reach.y * end.w + end.y, range);
+  clip(reach.y * start.w - start.y, reach.y * end.w - end.y, range);
+
+  nprAxisVSOut = vec4(0.0);
+  nprDepthVSOut = vec2(0.0);
+  nprInkVSOut = vec4(0.0);
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  if (nprStartInk.z == 0.0 || range.x > range.y)
+  {
+    return;
+  }
+
+  vec4 a = mix(start, end, range.x);
+  vec4 b = mix(start, end, range.y);
+  if (a.w <= 0.0 || b.w <= 0.0)
+  {
+    return;
+  }
+  vec2 startInk = ink(nprStartInk);
+  vec2 endInk = ink(nprEndInk);
+  vec2 inkA = mix(startInk, endInk, range.x);
+  vec2 inkB = mix(startInk, endInk, range.y);
+  vec2 pixelA = (0.5 * a.xy / a.w + 0.5) * nprViewportSize;
+  vec2 pixelB = (0.5 * b.xy / b.w + 0.5) * nprViewportSize;
+
+  float extent = max(inkA.x, inkB.x) + 1.0;
+  vec2 axis = pixelB - pixelA;
+  float size = length(axis);
+  axis = size > 1e-6 ? axis / size : vec2(1.0, 0.0);
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
+  vec2 position = (corner.x < 0.0 ? pixelA : pixelB) +
+    extent * (corner.x * axis + corner.y * vec2(-axis.y, axis.x));
+
+  nprAxisVSOut = vec4(pixelA, pixelB);
+  nprDepthVSOut = vec2(a.z / a.w, b.z / b.w);
+  nprInkVSOut = vec4(inkA, inkB);
+  gl_Position = vec4(2.0 * position / nprViewportSize - 1.0, 0.0, 1.0);
+}
