@@ -9,7 +9,7 @@ set(NPR_VTK_COMPONENTS
   IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
   ImagingCore InteractionStyle
   RenderingCore RenderingOpenGL2 RenderingUI
-  vtksys)
+  vtksys zlib)
 if (NPR_WRAP_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
   list(APPEND NPR_VTK_COMPONENTS WrappingPythonCore Python)

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A good file of each format comes in as the same sphere: its place, its size, its outside, its
+// colours.
+#include "TestModelFiles.h"
+
+#include <vtkNPRModelImporter.h>
+
+#include <vtkActorCollection.h>
+#include <vtkCallbackCommand.h>
+#include <vtkMapper.h>
+#include <vtkTexture.h>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace
+{
+int Failures = 0;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "FAILED: " << what << "\n";
+    ++Failures;
+  }
+}
+
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void CheckFile(const model_files::GoodFile& file)
+{
+  vtkNew<vtkNPRModelImporter> importer;
+  int progress = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&progress);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  importer->AddObserver(vtkCommand::ProgressEvent, count);
+  importer->SetFileName(file.Path.c_str());
+  if (file.IsVolume)
+  {
+    importer->SetIsoValue(model_files::IsoValue);
+  }
+  vtkNew<vtkPolyData> surface;
+  Expect(importer->GetSurface(surface), file.Path + " is read");
+  Expect(std::strlen(importer->GetErrorMessage()) == 0, file.Path + " has no error");
+  Expect(
+    std::strlen(importer->GetWarnings()) == 0, file.Path + " warns: " + importer->GetWarnings());
+  Expect(importer->GetNumberOfParts() == 1, file.Path + " has one part");
+  double bounds[6];
+  surface->GetBounds(bounds);
+  for (int i = 0; i < 6; ++i)
+  {
+    const double expected = model_files::Center[i / 2] + (i % 2 ? 1.0 : -1.0) * model_files::Radius;
+    Expect(std::abs(bounds[i] - expected) < 0.03,
+      file.Path + " has the bound " + std::to_string(bounds[i]) + ", not " +
+        std::to_string(expected));
+  }
+  const double volume = model_files::SignedVolume(surface);
+  Expect(volume > 3.9 && volume < 4.25, file.Path + " has the volume " + std::to_string(volume));
+  const bool hasNormals = surface->GetPointData()->GetNormals() != nullptr;
+  Expect(hasNormals || !(file.IsVolume || EndsWith(file.Path, ".vdb")), file.Path + " has normals");
+  if (hasNormals)
+  {
+    double least = 1.0;
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      const double* normal = surface->GetPointData()->GetNormals()->GetTuple3(i);
+      const double* p = surface->GetPoint(i);
+      double radial[3] = { p[0] - model_files::Center[0], p[1] - model_files::Center[1],
+        p[2] - model_files::Center[2] };
+      vtkMath::Normalize(radial);
+      least = std::min(least, vtkMath::Dot(normal, radial));
+    }
+    Expect(least > 0.99, file.Path + " has outward normals, at least " + std::to_string(least));
+  }
+  const bool hasProgress =
+    file.IsVolume || EndsWith(file.Path, ".vtp") || EndsWith(file.Path, ".vtu");
+  Expect(!hasProgress || progress > 0, file.Path + " shows progress");
+
+  vtkNew<vtkRenderer> renderer;
+  Expect(importer->ImportInto(renderer), file.Path + " comes into a renderer");
+  Expect(renderer->GetActors()->GetNumberOfItems() == 1, file.Path + " is one actor");
+}
+
+vtkActor* OnlyActor(vtkRenderer* renderer)
+{
+  return renderer->GetActors()->GetLastActor();
+}
+
+void TestMaterials(const std::string& base)
+{
+  vtkNew<vtkNPRModelImporter> importer;
+  vtkNew<vtkRenderer> renderer;
+  importer->SetFileName((base + "Material.obj").c_str());
+  importer->ImportInto(renderer);
+  vtkActor* actor = OnlyActor(renderer);
+  Expect(actor && actor->GetTexture(), "the OBJ's texture is there");
+  Expect(actor && actor->GetProperty()->GetDiffuseColor()[0] == 1.0 &&
+      actor->GetProperty()->GetDiffuseColor()[1] == 0.0 &&
+      actor->GetProperty()->GetOpacity() == 0.5 && actor->GetProperty()->GetSpecularPower() == 20.0,
+    "the OBJ's material is red, half transparent and shiny");
+
+  std::remove((base + "Texture.png").c_str());
+  vtkNew<vtkNPRModelImporter> again;
+  again->SetFileName((base + "Material.obj").c_str());
+  Expect(again->Read() && std::strstr(again->GetWarnings(), "Texture.png"),
+    "a missing texture is a warning that names it");
+  std::remove((base + "Material.mtl").c_str());
+  vtkNew<vtkNPRModelImporter> bare;
+  bare->SetFileName((base + "Material.obj").c_str());
+  Expect(bare->Read() && std::strstr(bare->GetWarnings(), "Material.mtl"),
+    "a missing MTL is a warning that names it");
+
+  vtkNew<vtkRenderer> second;
+  importer->SetFileName((base + "Scene.gltf").c_str());
+  importer->ImportInto(second);
+  actor = OnlyActor(second);
+  // glTF is linear: 0.5 there is 0.735 on the screen.
+  Expect(actor && std::abs(actor->GetProperty()->GetDiffuseColor()[2] - 0.7354) < 1e-3 &&
+      actor->GetProperty()->GetInterpolation() == VTK_PHONG &&
+      actor->GetProperty()->GetAmbient() == 0.0 && actor->GetProperty()->GetDiffuse() == 1.0,
+    "glTF's base colour is the diffuse colour of a plain material");
+
+  vtkNew<vtkRenderer> third;
+  importer->SetFileName((base + "Ascii.ply").c_str());
+  importer->ImportInto(third);
+  actor = OnlyActor(third);
+  Expect(actor && actor->GetMapper()->GetScalarVisibility() &&
+      actor->GetMapper()->GetInputAsDataSet()->GetPointData()->GetScalars()->GetComponent(0, 0) ==
+        99.0,
+    "PLY's point colours are shown");
+
+  importer->SetIsoValue(3.0);
+  Expect(importer->Read() && std::strstr(importer->GetWarnings(), "not used"),
+    "an iso value for a mesh is a warning");
+}
+
+// What VTK's own OBJ reader can not do: negative indices, continued lines, quads, two materials.
+void TestOBJ(const std::string& base)
+{
+  model_files::WriteText(base + "Odd.obj",
+    "# two squares\nv 0 0 0\nv 1 0 0\nv 1 +1 0\nv 0 1e0 0\r\nusemtl a\nf -4 -3 \\\n -2 -1\n"
+    "usemtl b\nv 0 0 2\nf 1//  2 5\n");
+  vtkNew<vtkNPRModelImporter> importer;
+  importer->SetFileName((base + "Odd.obj").c_str());
+  vtkNew<vtkPolyData> surface;
+  Expect(importer->GetSurface(surface) && importer->GetNumberOfParts() == 2 &&
+      surface->GetNumberOfPolys() == 2 && surface->GetNumberOfPoints() == 7,
+    "an OBJ of two materials is two parts, its corners shared within each");
+  double bounds[6];
+  surface->GetBounds(bounds);
+  Expect(bounds[1] == 1.0 && bounds[3] == 1.0 && bounds[5] == 2.0, "the odd OBJ has its bounds");
+}
+}
+
+int TestModelImporter(int argc, char* argv[])
+{
+  std::string folder = ".";
+  for (int i = 1; i + 1 < argc; ++i)
+  {
+    folder = std::strcmp(argv[i], "-T") == 0 ? argv[i + 1] : folder;
+  }
+  const auto files = model_files::WriteGoodFiles(folder, "Good");
+  for (const model_files::GoodFile& file : files)
+  {
+    CheckFile(file);
+  }
+  TestMaterials(folder + "/Good");
+  TestOBJ(folder + "/Good");
+  Expect(vtkNPRModelImporter::GetNumberOfFormats() >= 19 &&
+      vtkNPRModelImporter::IsFileNameKnown("/a/b.PLY.GZ") &&
+      !vtkNPRModelImporter::IsFileNameKnown("/a/b.doc") &&
+      !vtkNPRModelImporter::IsFileNameKnown(".ply"),
+    "extensions are known in any case");
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

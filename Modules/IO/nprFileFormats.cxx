@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprFileFormats.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCommand.h>
+#include <vtkEventForwarderCommand.h>
+#include <vtkImageData.h>
+#include <vtkImageReader2.h>
+#include <vtkImageReader2Factory.h>
+#include <vtkNew.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtk_zlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace npr
+{
+const std::vector<FileFormat>& GetFileFormats()
+{
+  static const std::vector<FileFormat> formats = {
+    { ".obj", "Wavefront OBJ mesh, with its MTL materials and textures", false, ReadOBJ },
+    { ".ply", "Stanford PLY mesh, with point colours", false, ReadPLY },
+    { ".ply.gz", "Stanford PLY mesh compressed by gzip", false, ReadPLY },
+    { ".stl", "STL mesh", false, ReadSTL },
+    { ".gltf", "glTF 2.0 scene", false, ReadGLTF },
+    { ".glb", "glTF 2.0 scene, binary", false, ReadGLTF },
+    { ".vtp", "VTK surface", false, ReadVTP },
+    { ".vtu", "VTK unstructured grid, its outside", false, ReadXMLDataSet },
+    { ".vts", "VTK structured grid, its outside", false, ReadXMLDataSet },
+    { ".vtr", "VTK rectilinear grid, its outside", false, ReadXMLDataSet },
+    { ".vtk", "VTK legacy file: a surface, the outside of a grid, or a volume", true,
+      ReadLegacyVTK },
+    { ".vti", "VTK volume", true, ReadVTI },
+    { ".nii", "NIfTI volume", true, ReadNIFTI },
+    { ".nii.gz", "NIfTI volume compressed by gzip", true, ReadNIFTI },
+    { ".nrrd", "NRRD volume", true, ReadNRRD },
+    { ".nhdr", "NRRD volume, detached header", true, ReadNRRD },
+    { ".mha", "MetaImage volume", true, ReadMetaImage },
+    { ".mhd", "MetaImage volume, detached header", true, ReadMetaImage },
+    { ".vdb", "OpenVDB volume", true, ReadVDB },
+  };
+  return formats;
+}
+
+const FileFormat* FindFileFormat(const std::string& path)
+{
+  std::string lower = path;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const FileFormat* best = nullptr;
+  for (const FileFormat& format : GetFileFormats())
+  {
+    const std::string extension = format.Extension;
+    if (lower.size() > extension.size() &&
+      lower.compare(lower.size() - extension.size(), extension.size(), extension) == 0 &&
+      (!best || extension.size() > std::string(best->Extension).size()))
+    {
+      best = &format;
+    }
+  }
+  return best;
+}
+
+void ModelFile::Watch(vtkAlgorithm* reader) const
+{
+  if (this->Progress)
+  {
+    reader->AddObserver(vtkCommand::ProgressEvent, this->Progress);
+  }
+}
+
+void ModelFile::AddPart(vtkPolyData* surface)
+{
+  ModelPart part;
+  part.Surface = vtkSmartPointer<vtkPolyData>::New();
+  part.Surface->ShallowCopy(surface);
+  this->Parts.push_back(part);
+}
+
+std::string ReadBytes(const std::string& path)
+{
+  // zlib reads plain files as they are.
+  gzFile stream = gzopen(path.c_str(), "rb");
+  if (!stream)
+  {
+    throw ModelError("it can not be opened; check its permissions");
+  }
+  std::string bytes;
+  std::vector<char> buffer(1 << 18);
+  int count = 0;
+  while ((count = gzread(stream, buffer.data(), static_cast<unsigned int>(buffer.size()))) > 0)
+  {
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  int code = Z_OK;
+  gzerror(stream, &code);
+  gzclose_r(stream);
+  if (count < 0 || code == Z_BUF_ERROR)
+  {
+    throw ModelError("its gzip data is damaged or ends too early; copy or download it again");
+  }
+  return bytes;
+}
+
+vtkSmartPointer<vtkProperty> MakePlainProperty(const double diffuse[3], double opacity)
+{
+  auto property = vtkSmartPointer<vtkProperty>::New();
+  property->SetColor(diffuse[0], diffuse[1], diffuse[2]);
+  property->SetOpacity(opacity);
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetInterpolationToPhong();
+  return property;
+}
+
+vtkSmartPointer<vtkTexture> ReadTexture(ModelFile& file, const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    file.Warnings.push_back("The texture '" + path + "' is missing; the plain colour is used.");
+    return nullptr;
+  }
+  auto reader = vtkSmartPointer<vtkImageReader2>::Take(
+    vtkImageReader2Factory::CreateImageReader2(path.c_str()));
+  if (reader)
+  {
+    reader->SetFileName(path.c_str());
+    reader->Update();
+  }
+  if (!reader || reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    file.Warnings.push_back("The texture '" + path +
+      "' is not an image that VTK reads; the plain colour is used. Convert it to PNG or JPEG.");
+    return nullptr;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(reader->GetOutput());
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  return texture;
+}
+
+void ReversePolygons(vtkPolyData* surface)
+{
+  vtkNew<vtkCellArray> polygons;
+  polygons->DeepCopy(surface->GetPolys());
+  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  {
+    polygons->ReverseCellAtId(cell);
+  }
+  surface->SetPolys(polygons);
+}
+
+vtkSmartPointer<vtkPolyData> TransformSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
+{
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetTransform(transform);
+  filter->SetInputData(surface);
+  filter->Update();
+  vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
+  if (matrix->Determinant() < 0.0)
+  {
+    ReversePolygons(result);
+  }
+  return result;
+}
+
+namespace
+{
+void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints)
+{
+  if (!cells || cells->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  auto iterator = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    iterator->GetCurrentCell(size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (points[i] < 0 || points[i] >= numberOfPoints)
+      {
+        throw ModelError("a face refers to point " + std::to_string(points[i]) +
+          ", but there are " + std::to_string(numberOfPoints) +
+          " points; the file is damaged, write it again");
+      }
+    }
+  }
+}
+}
+
+void CheckCells(vtkPointSet* data)
+{
+  const vtkIdType points = data->GetNumberOfPoints();
+  if (auto surface = vtkPolyData::SafeDownCast(data))
+  {
+    for (vtkCellArray* cells :
+      { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+    {
+      CheckCellArray(cells, points);
+    }
+  }
+  else if (auto grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    CheckCellArray(grid->GetCells(), points);
+  }
+}
+}
