@@ -14,19 +14,30 @@
 
 namespace npr
 {
+namespace
+{
+// 0 where there is none.
+double GetStoredLengthScale(vtkPolyData* surface)
+{
+  vtkDataArray* array = surface->GetFieldData()->GetArray(names::LengthScale);
+  const double lengthScale =
+    array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0.0;
+  return lengthScale > 0.0 && std::isfinite(lengthScale) ? lengthScale : 0.0;
+}
+}
+
 //------------------------------------------------------------------------------
 double GetLengthScale(vtkPolyData* surface)
 {
-  vtkDataArray* array = surface->GetFieldData()->GetArray(names::LengthScale);
-  if (array && array->GetNumberOfTuples() > 0)
-  {
-    const double lengthScale = array->GetComponent(0, 0);
-    if (lengthScale > 0.0 && std::isfinite(lengthScale))
-    {
-      return lengthScale;
-    }
-  }
-  return TriangleMesh(surface).ComputeLengthScale();
+  const double stored = GetStoredLengthScale(surface);
+  return stored > 0.0 ? stored : TriangleMesh(surface).ComputeLengthScale();
+}
+
+//------------------------------------------------------------------------------
+double GetLengthScale(vtkPolyData* surface, const TriangleMesh& mesh)
+{
+  const double stored = GetStoredLengthScale(surface);
+  return stored > 0.0 ? stored : mesh.ComputeLengthScale();
 }
 
 //------------------------------------------------------------------------------

@@ -19,9 +19,14 @@ VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
+class TriangleMesh;
+
 /// The surface's LengthScale from its field data if that has a positive one, else computed from its
 /// triangles (see TriangleMesh::ComputeLengthScale). Zero for a surface without area.
 VTKNPRFILTERSCORE_EXPORT double GetLengthScale(vtkPolyData* surface);
+
+/// The same for a surface whose triangles are at hand.
+VTKNPRFILTERSCORE_EXPORT double GetLengthScale(vtkPolyData* surface, const TriangleMesh& mesh);
 
 /// Writes the field data array LengthScale.
 VTKNPRFILTERSCORE_EXPORT void SetLengthScale(vtkPolyData* surface, double lengthScale);

@@ -8,6 +8,8 @@
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines along edges: creases and outline of a cube, borders of an open cylinder.
+#include "nprLineTesting.h"
+
+#include "vtkNPRCreases.h"
+
+using namespace nprtest;
+
+namespace
+{
+void TestCube(bool split, Checks& check)
+{
+  auto cube = MakeCube(split);
+  const auto creases = Extract(cube, { "creases" }, nullptr);
+  CheckSound(creases, check);
+  check(creases.size() == 12, "a cube has twelve creases", static_cast<double>(creases.size()));
+  for (const Chain& chain : creases)
+  {
+    check(chain.Points.size() == 2 && GetLength(chain) == 2.0, "a crease is an edge of the cube");
+  }
+
+  for (bool parallel : { false, true })
+  {
+    auto camera = MakeCamera({ 5.0, 4.0, 3.0 }, parallel);
+    const auto outline = Extract(cube, { "contours" }, camera);
+    CheckSound(outline, check);
+    if (check(outline.size() == 1 && outline[0].Closed, "the outline of a cube is closed",
+          static_cast<double>(outline.size())) &&
+      split)
+    {
+      check(outline[0].Points.size() == 6 && GetLength(outline[0]) == 12.0,
+        "seen from a corner, the outline of a cube is a hexagon");
+      // The corners that the eye sees first and last are not on it.
+      for (const Vector& p : outline[0].Points)
+      {
+        check(std::abs(p.sum()) < 2.0, "the outline runs around the corner that is seen");
+      }
+    }
+  }
+
+  // Exactly in front of a face, the sides are seen edge-on: the outline must not vanish or double.
+  for (bool parallel : { false, true })
+  {
+    const auto outline = Extract(cube, { "contours" }, MakeCamera({ 0.0, 0.0, 5.0 }, parallel));
+    CheckSound(outline, check);
+    check(outline.size() == 1 && outline[0].Closed, "the outline of a face is closed");
+  }
+}
+
+void TestAngle(Checks& check)
+{
+  auto cube = MakeCube(true);
+  vtkNew<vtkNPRCreases> creases;
+  vtkNew<vtkNPRFeatureLines> lines;
+  lines->AddDefinition(creases);
+  lines->SetInputData(cube);
+  creases->SetAngle(91.0);
+  lines->Update();
+  check(lines->GetOutput()->GetNumberOfLines() == 0, "a right angle is no crease above 91 degrees");
+  creases->SetAngle(89.0);
+  lines->Update();
+  check(lines->GetOutput()->GetNumberOfLines() == 12, "a right angle is a crease above 89 degrees");
+}
+
+// A tube of which both ends are open; where it is cut along its side, the points are split and
+// welded.
+vtkSmartPointer<vtkPolyData> MakeTube(int n, bool cut)
+{
+  auto tube = MakeGrid(cut ? n + 1 : n, 4, !cut, false);
+  auto normals = AddArray(tube, npr::names::Normals, 3);
+  std::vector<vtkIdType> welded;
+  for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
+  {
+    const double u = 2.0 * Pi * ((i / 4) % n) / n;
+    tube->GetPoints()->SetPoint(i, std::cos(u), std::sin(u), static_cast<double>(i % 4));
+    normals->SetTuple3(i, std::cos(u), std::sin(u), 0.0);
+    welded.push_back(i % (4 * n));
+  }
+  AddWeldedIds(tube, welded);
+  return tube;
+}
+
+void TestTube(Checks& check)
+{
+  for (bool cut : { false, true })
+  {
+    const int n = 24;
+    auto tube = MakeTube(n, cut);
+    const auto borders = Extract(tube, { "boundaries", "creases" }, nullptr);
+    CheckSound(borders, check);
+    check(borders.size() == 2, "a tube has two borders and no crease",
+      static_cast<double>(borders.size()));
+    for (const Chain& chain : borders)
+    {
+      check(chain.Closed && chain.Points.size() == n, "the borders of a tube are closed");
+      for (std::size_t i = 0; i < chain.Points.size(); ++i)
+      {
+        const Vector left = chain.Normals[i].cross(chain.Next(i) - chain.Points[i]);
+        check(
+          left[2] * (1.5 - chain.Points[i][2]) > 0.0, "the surface is on the left of its border");
+      }
+    }
+
+    const auto outline = Extract(tube, { "contours" }, MakeCamera({ 7.0, 1.3, 6.0 }));
+    CheckSound(outline, check);
+    int closed = 0;
+    for (const Chain& chain : outline)
+    {
+      closed += chain.Closed;
+    }
+    check(closed == 2 && outline.size() == 4,
+      "the outline of a tube is its two borders and two lines along its sides",
+      static_cast<double>(outline.size()));
+  }
+}
+}
+
+int TestEdgeLines(int, char*[])
+{
+  Checks check;
+  TestCube(true, check);
+  TestCube(false, check);
+  TestAngle(check);
+  TestTube(check);
+  return check.Result();
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprLineSurface_h
+#define nprLineSurface_h
+
+#include "nprTriangleMesh.h"
+#include "vtkNPRFiltersLinesModule.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace npr
+{
+/**
+ * @class LineView
+ * @brief Where the eye is, in the space of the model and relative to the origin of a LineSurface.
+ *
+ * The vector from a point p to the eye is Eye - Perspective * p, so that one loop without a branch
+ * serves both projections: Perspective is 1 and Eye a position, or Perspective is 0 and Eye the
+ * unit vector towards the eye.
+ */
+struct LineView
+{
+  std::array<float, 3> Eye = { 0.0f, 0.0f, 1.0f };
+  float Perspective = 0.0f;
+};
+
+/**
+ * @class EdgeList
+ * @brief Edges of the welded surface, each with the half-edges (3 * triangle + edge) on it.
+ */
+class EdgeList
+{
+public:
+  using Index = TriangleMesh::Index;
+  Index GetNumberOfEdges() const { return static_cast<Index>(this->Offsets.size()) - 1; }
+  /// The half-edges of an edge, in ascending order: [Begin, End).
+  const Index* Begin(Index edge) const { return this->HalfEdges.data() + this->Offsets[edge]; }
+  const Index* End(Index edge) const { return this->HalfEdges.data() + this->Offsets[edge + 1]; }
+
+  std::vector<Index> HalfEdges;
+  std::vector<Index> Offsets = { 0 };
+};
+
+/**
+ * @class LineSurface
+ * @brief All that lines need to know of a surface and that no view changes: its triangles, their
+ * adjacency, and its point arrays as one span of floats for each component.
+ *
+ * A *twin* joins two triangles that share both points of an edge; fields run on across it. All
+ * other half-edges stand on *seams*: borders, edges where the preparation split the points of a
+ * crease (their points differ, their WeldedPointIds agree), and edges with more than two triangles.
+ */
+class VTKNPRFILTERSLINES_EXPORT LineSurface
+{
+public:
+  using Index = TriangleMesh::Index;
+  static constexpr Index NoTwin = -1;
+
+  /// A given `lengthScale` greater than 0 overrides what the data says.
+  explicit LineSurface(vtkPolyData* surface, double lengthScale = 0.0);
+
+  const TriangleMesh& GetMesh() const { return this->Mesh; }
+  double GetLengthScale() const { return this->LengthScale; }
+
+  /// @name Point arrays
+  ///@{
+  /// Takes an array of the surface's point data with so many components. False when it has none.
+  bool LoadArray(vtkPolyData* surface, const char* name, int components);
+  bool HasArray(const char* name) const { return this->Arrays.count(name) > 0; }
+  /// One component of an array that was loaded, or of the points, over all points.
+  const float* GetComponent(const char* name, int component) const
+  {
+    return this->Arrays.at(name)[component].data();
+  }
+  const float* GetCoordinate(int axis) const { return this->Coordinates[axis].data(); }
+  ///@}
+
+  /// @name Half-edges: 3 * triangle + edge
+  ///@{
+  Index GetNumberOfHalfEdges() const { return 3 * this->Mesh.GetNumberOfTriangles(); }
+  Index GetStart(Index halfEdge) const
+  {
+    return this->Mesh.GetTriangle(halfEdge / 3)[halfEdge % 3];
+  }
+  Index GetEnd(Index halfEdge) const
+  {
+    return this->Mesh.GetTriangle(halfEdge / 3)[(halfEdge + 1) % 3 == 0 ? 0 : halfEdge % 3 + 1];
+  }
+  Index GetTwin(Index halfEdge) const { return this->Twins[halfEdge]; }
+  Index GetWelded(Index point) const
+  {
+    return this->WeldedIds.empty() ? point : this->WeldedIds[point];
+  }
+  ///@}
+
+  /// Edges that have no twins: with one half-edge at a border, two where points are split.
+  const EdgeList& GetSeams() const { return this->Seams; }
+  /// Edges between twins; made by the first call of BuildInnerEdges().
+  const EdgeList& GetInnerEdges() const { return this->InnerEdges; }
+  void BuildInnerEdges();
+
+private:
+  void BuildTwins();
+  void BuildSeams();
+
+  TriangleMesh Mesh;
+  double LengthScale = 0.0;
+  std::vector<Index> WeldedIds;
+  std::vector<Index> Twins;
+  EdgeList Seams;
+  EdgeList InnerEdges;
+  std::array<std::vector<float>, 3> Coordinates;
+  std::map<std::string, std::vector<std::vector<float>>> Arrays;
+};
+}
+
+#endif

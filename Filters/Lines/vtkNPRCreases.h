@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRCreases
+ * @brief Sharp edges: those whose two triangles meet at a large angle.
+ *
+ * Creases belong to the shape, so they stay where they are in all views. Edges are taken on the
+ * welded surface, so it does not matter whether the points are split there. Edges of more than two
+ * triangles always count.
+ *
+ * @sa vtkNPRFeatureLines vtkNPRBoundaries
+ */
+#ifndef vtkNPRCreases_h
+#define vtkNPRCreases_h
+
+#include "vtkNPRLineDefinition.h"
+
+class VTKNPRFILTERSLINES_EXPORT vtkNPRCreases : public vtkNPRLineDefinition
+{
+public:
+  static vtkNPRCreases* New();
+  vtkTypeMacro(vtkNPRCreases, vtkNPRLineDefinition);
+
+  const char* GetName() const override { return "creases"; }
+  const char* GetDescription() const override { return "sharp edges"; }
+  bool IsViewDependent() const override { return false; }
+
+  ///@{
+  /// The angle between the normals of two triangles above which their edge is a crease, in degrees.
+  /// Range [0, 180]. Default is 40.
+  vtkSetClampMacro(Angle, double, 0.0, 180.0);
+  vtkGetMacro(Angle, double);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  EdgeKind GetEdges() const override
+  {
+    return AllEdges;
+  }
+  void EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges, vtkIdType begin,
+    vtkIdType end, float* strength) const override;
+#endif
+
+protected:
+  vtkNPRCreases();
+  ~vtkNPRCreases() override = default;
+
+private:
+  double Angle = 40.0;
+
+  vtkNPRCreases(const vtkNPRCreases&) = delete;
+  void operator=(const vtkNPRCreases&) = delete;
+};
+
+#endif

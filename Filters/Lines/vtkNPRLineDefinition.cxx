@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNPRLineDefinition.h"
+
+#include "vtkNPRBoundaries.h"
+#include "vtkNPRCreases.h"
+#include "vtkNPROccludingContours.h"
+#include "vtkNPRSuggestiveContours.h"
+
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+// All kinds of lines; each class says its own name.
+using Maker = vtkNPRLineDefinition* (*)();
+const Maker Makers[] = {
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPROccludingContours::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRSuggestiveContours::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRCreases::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRBoundaries::New()); },
+};
+constexpr int NumberOfMakers = static_cast<int>(sizeof(Makers) / sizeof(Makers[0]));
+}
+
+//------------------------------------------------------------------------------
+int vtkNPRLineDefinition::GetNumberOfLineNames()
+{
+  return NumberOfMakers;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNPRLineDefinition::GetLineName(int index)
+{
+  if (index < 0 || index >= NumberOfMakers)
+  {
+    return nullptr;
+  }
+  // The name is a literal, so it outlives the object.
+  return vtk::TakeSmartPointer(Makers[index]())->GetName();
+}
+
+//------------------------------------------------------------------------------
+vtkNPRLineDefinition* vtkNPRLineDefinition::NewFromName(const char* name)
+{
+  for (const Maker& maker : Makers)
+  {
+    vtkNPRLineDefinition* definition = maker();
+    if (name && std::string(name) == definition->GetName())
+    {
+      return definition;
+    }
+    definition->Delete();
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::AddParameter(
+  const char* name, const char* description, double& value, double minimum, double maximum)
+{
+  this->Parameters.push_back({ name, description, &value, minimum, maximum });
+}
+
+//------------------------------------------------------------------------------
+const vtkNPRLineDefinition::Parameter* vtkNPRLineDefinition::FindParameter(const char* name) const
+{
+  for (const Parameter& parameter : this->Parameters)
+  {
+    if (name && std::string(name) == parameter.Name)
+    {
+      return &parameter;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNPRLineDefinition::GetParameterName(int index) const
+{
+  return index < 0 || index >= this->GetNumberOfParameters() ? nullptr
+                                                             : this->Parameters[index].Name;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNPRLineDefinition::GetParameterDescription(int index) const
+{
+  return index < 0 || index >= this->GetNumberOfParameters() ? nullptr
+                                                             : this->Parameters[index].Description;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRLineDefinition::SetParameter(const char* name, double value)
+{
+  const Parameter* parameter = this->FindParameter(name);
+  // Written so that a NaN is refused.
+  if (!parameter || !(value >= parameter->Minimum && value <= parameter->Maximum))
+  {
+    return false;
+  }
+  if (*parameter->Value != value)
+  {
+    *parameter->Value = value;
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkNPRLineDefinition::GetParameter(const char* name) const
+{
+  const Parameter* parameter = this->FindParameter(name);
+  return parameter ? *parameter->Value : std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::EvaluateField(
+  const npr::LineSurface&, const npr::LineView&, vtkIdType begin, vtkIdType end, float* field) const
+{
+  std::fill(field + begin, field + end, 1.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::BoundField(
+  const npr::LineSurface&, vtkIdType begin, vtkIdType end, signed char* sign) const
+{
+  std::fill(sign + begin, sign + end, static_cast<signed char>(0));
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::EvaluateTest(
+  const npr::LineSurface&, const npr::LineView&, const Index*, vtkIdType count, float* test) const
+{
+  std::fill(test, test + count, 1.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::EvaluateEdges(const npr::LineSurface&, const npr::EdgeList&,
+  vtkIdType begin, vtkIdType end, float* strength) const
+{
+  std::fill(strength, strength + (end - begin), 0.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Name: " << this->GetName() << "\n";
+  os << indent << "Description: " << this->GetDescription() << "\n";
+  os << indent << "ViewDependent: " << this->IsViewDependent() << "\n";
+  for (const Parameter& parameter : this->Parameters)
+  {
+    os << indent << parameter.Name << ": " << *parameter.Value << "\n";
+  }
+}

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRLineDefinition
+ * @brief What a kind of line is: where on a surface it runs, and how strong it is there.
+ *
+ * A definition has a *field part*, an *edge part*, or both.
+ * - Field part: the line is the zero set of a scalar field given at the points, where a test holds.
+ * - Edge part: the line runs along edges of the mesh that the definition accepts.
+ *
+ * vtkNPRFeatureLines evaluates definitions over whole spans of points or edges, so a virtual call
+ * never falls on a single point. To add a kind of line, derive from this class and name the new
+ * class in the list at the top of vtkNPRLineDefinition.cxx; nothing else knows the kinds.
+ *
+ * Thresholds are numbers without dimension: curvatures are multiplied by the surface's length
+ * scale, their derivatives by its square.
+ *
+ * @sa vtkNPRFeatureLines
+ */
+#ifndef vtkNPRLineDefinition_h
+#define vtkNPRLineDefinition_h
+
+#include "vtkNPRFiltersLinesModule.h"
+#include <vtkObject.h>
+
+#ifndef __VTK_WRAP__
+#include "nprLineSurface.h"
+#endif
+
+#include <string>
+#include <vector>
+
+class VTKNPRFILTERSLINES_EXPORT vtkNPRLineDefinition : public vtkObject
+{
+public:
+  vtkAbstractTypeMacro(vtkNPRLineDefinition, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// @name All kinds of lines
+  ///@{
+  static int GetNumberOfLineNames();
+  /// The name of a kind, such as "contours"; null when the index is out of range.
+  static const char* GetLineName(int index);
+  /// A new definition of the named kind, which the caller owns; null when there is none.
+  static vtkNPRLineDefinition* NewFromName(const char* name) VTK_NEWINSTANCE;
+  ///@}
+
+  /// The name of this kind of line, in lower case; it stands in LineTypeNames of the output.
+  virtual const char* GetName() const = 0;
+  /// One line for people: what these lines show.
+  virtual const char* GetDescription() const = 0;
+  /// Whether the lines move with the view.
+  virtual bool IsViewDependent() const = 0;
+
+  /// @name Parameters by name
+  /// What the command line and style files set; the same values have Set and Get functions of their
+  /// own.
+  ///@{
+  int GetNumberOfParameters() const { return static_cast<int>(this->Parameters.size()); }
+  /// Null when the index is out of range.
+  const char* GetParameterName(int index) const;
+  const char* GetParameterDescription(int index) const;
+  /// False, and nothing is set, when there is no such parameter or the value is out of its range.
+  bool SetParameter(const char* name, double value);
+  /// NaN when there is no such parameter.
+  double GetParameter(const char* name) const;
+  ///@}
+
+#ifndef __VTK_WRAP__
+  using Index = npr::TriangleMesh::Index;
+
+  /// Which edges an edge part looks at. Seams are those where no two triangles share both points:
+  /// borders, split creases, and edges of more than two triangles.
+  enum EdgeKind
+  {
+    NoEdges,
+    SeamEdges,
+    AllEdges
+  };
+
+  /// A point array that the definition reads, by its name in nprArrayNames.h, and what makes it.
+  struct RequiredArray
+  {
+    const char* Name;
+    int Components;
+    const char* Maker;
+  };
+  virtual std::vector<RequiredArray> GetRequiredArrays() const
+  {
+    return {};
+  }
+
+  /// @name Field part
+  /// The functions must be safe to call from several threads at a time.
+  ///@{
+  virtual bool HasField() const
+  {
+    return false;
+  }
+  /// Writes field[i] for the points begin <= i < end. The line runs where the field is 0, the
+  /// positive side on its left.
+  virtual void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view,
+    vtkIdType begin, vtkIdType end, float* field) const;
+  /// Writes 1 or -1 where the field is positive (negative) in every view, else 0. Triangles whose
+  /// three points agree are never looked at.
+  virtual void BoundField(
+    const npr::LineSurface& surface, vtkIdType begin, vtkIdType end, signed char* sign) const;
+  /// Whether the line also runs where the field jumps: along split edges on whose sides its signs
+  /// differ, and along borders.
+  virtual bool FollowsJumps() const
+  {
+    return false;
+  }
+  virtual bool HasTest() const
+  {
+    return false;
+  }
+  /// Writes test[i] for points[i], i < count. The line is accepted where the test is > 0, and its
+  /// strength rises smoothly from 0 there to 1 where the test is 1 or more.
+  virtual void EvaluateTest(const npr::LineSurface& surface, const npr::LineView& view,
+    const Index* points, vtkIdType count, float* test) const;
+  ///@}
+
+  /// @name Edge part
+  ///@{
+  virtual EdgeKind GetEdges() const
+  {
+    return NoEdges;
+  }
+  /// Writes strength[i - begin] for the edges begin <= i < end; those > 0 are accepted. Must be
+  /// safe to call from several threads at a time.
+  virtual void EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges,
+    vtkIdType begin, vtkIdType end, float* strength) const;
+  ///@}
+#endif
+
+protected:
+  vtkNPRLineDefinition() = default;
+  ~vtkNPRLineDefinition() override = default;
+
+  /// Makes a member a parameter that can be set by its name. Names and texts must be literals.
+  void AddParameter(
+    const char* name, const char* description, double& value, double minimum, double maximum);
+
+private:
+  struct Parameter
+  {
+    const char* Name;
+    const char* Description;
+    double* Value;
+    double Minimum;
+    double Maximum;
+  };
+  const Parameter* FindParameter(const char* name) const;
+  std::vector<Parameter> Parameters;
+
+  vtkNPRLineDefinition(const vtkNPRLineDefinition&) = delete;
+  void operator=(const vtkNPRLineDefinition&) = delete;
+};
+
+#endif
