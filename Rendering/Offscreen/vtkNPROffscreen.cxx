@@ -20,8 +20,6 @@
 #endif
 
 #include <array>
-#include <cstring>
-
 
 namespace
 {

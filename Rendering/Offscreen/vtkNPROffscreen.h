@@ -62,9 +62,11 @@ public:
   /**
    * Chooses the backend for windows made from now on. The name may be written in any case.
    * Returns false, with an error, if the backend is unknown or does not work here; what was set up
-   * before then stays. May be called again, with another backend, too. Windows that exist live on;
-   * but those on an X display and those without can not draw in turn, so finish with one kind
-   * before you go on with the other.
+   * before then stays. May be called again, with another backend, too; windows that exist live on,
+   * and EGL and OSMesa windows may draw in turn. Only with windows on an X display they can not:
+   * GLX ends the program with BadAccess when its window draws, or is deleted, while the thread
+   * holds another context. So Finalize() and delete X windows before you go on without a display,
+   * or call Setup(NATIVE), which releases the thread, before you go back to them.
    */
   static bool Setup(int backend = AUTO);
   static bool Setup(const char* backend);

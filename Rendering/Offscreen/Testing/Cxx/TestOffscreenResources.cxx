@@ -38,7 +38,7 @@ void DrawAndDelete(int count)
 {
   for (int i = 0; i < count; ++i)
   {
-    NewSphereWindow(64)->Render();
+    NewSphereWindow(64, 8)->Render();
   }
 }
 
@@ -50,7 +50,7 @@ int TestOffscreenResources(int, char*[])
   for (const int backend : Backends())
   {
     ok &= Check(vtkNPROffscreen::Setup(backend), "Setup " + std::to_string(backend));
-    DrawAndDelete(20); // fills the driver's caches
+    DrawAndDelete(10); // fills the driver's caches
     const double memory = ResidentMiB();
     const long files = OpenFiles();
     DrawAndDelete(100);

@@ -52,12 +52,12 @@ inline bool Check(bool condition, const std::string& what)
 }
 
 /** A window of @a size x @a size pixels with a sphere whose diameter is half of that. */
-inline vtkSmartPointer<vtkRenderWindow> NewSphereWindow(int size)
+inline vtkSmartPointer<vtkRenderWindow> NewSphereWindow(int size, int resolution = 128)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(0.5);
-  sphere->SetThetaResolution(128);
-  sphere->SetPhiResolution(128);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(sphere->GetOutputPort());
   vtkNew<vtkActor> actor;
