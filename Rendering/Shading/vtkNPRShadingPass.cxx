@@ -1,0 +1,438 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNPRShadingPass.h"
+
+#include "vtkNPRPhongStyle.h"
+#include "vtkNPRShadingFS.h"
+#include "vtkNPRShadingStyle.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkMath.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLHelper.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkProperty.h>
+#include <vtkRenderState.h>
+#include <vtkRenderStepsPass.h>
+#include <vtkRenderer.h>
+#include <vtkShader.h>
+#include <vtkShaderProgram.h>
+#include <vtkTransform.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+vtkStandardNewMacro(vtkNPRShadingPass);
+vtkInformationKeyMacro(vtkNPRShadingPass, EXCLUDED, Integer);
+
+namespace
+{
+// Where our code goes; put in before the mapper fills its tags, replaced after.
+const char* const DeclarationTag = "//NPR::Shading::Dec\n";
+const char* const UniformFlowTag = "//NPR::Shading::UniformFlow\n";
+const char* const ImplementationTag = "//NPR::Shading::Impl\n";
+
+// Main program's parts; the names on the right are those of VTK's template. Derivatives are taken
+// where all fragments of a quad still run.
+const char* const UniformFlow = R"(
+  vec3 nprPositionStep[2];
+  nprPositionStep[0] = dFdx(vertexVC.xyz);
+  nprPositionStep[1] = dFdy(vertexVC.xyz);
+  vec3 nprNormalStep[2];
+  nprNormalStep[0] = NPR_NORMAL_STEP(dFdx);
+  nprNormalStep[1] = NPR_NORMAL_STEP(dFdy);
+)";
+const char* const NormalMacro[] = {
+  "#define NPR_NORMAL_STEP(difference) vec3(0.0)\n",
+  "#define NPR_NORMAL_STEP(difference) "
+  "((gl_FrontFacing ? 1.0 : -1.0) * difference(normalize(normalVCVSOutput)))\n",
+};
+const char* const Implementation = R"(
+  {
+    NprSurface nprSurface;
+    nprSurface.position = vertexVC.xyz;
+    nprSurface.normal = normalVCVSOutput;
+    nprSurface.view = nprToEye(vertexVC.xyz);
+    nprSurface.ambient = ambientColor;
+    nprSurface.diffuse = NPR_BASE_COLOR;
+    nprSurface.specular = specularColor;
+    nprSurface.power = specularPower;
+    nprSurface.opacity = opacity;
+    nprSurface.positionStep = nprPositionStep;
+    nprSurface.normalStep = nprNormalStep;
+    gl_FragData[0] = vec4(nprShade(nprSurface), opacity);
+  }
+)";
+
+// Physically based materials have linear colours.
+const char* const PlainColor = "diffuseColor";
+const char* const PhysicalColor = "pow(max(albedo, vec3(0.0)), vec3(1.0 / 2.2))";
+
+// The renderer knows better than a vtkTranslucentPass how its translucent props are to be drawn.
+class TranslucentStep : public vtkRenderPass
+{
+public:
+  static TranslucentStep* New();
+  vtkTypeMacro(TranslucentStep, vtkRenderPass);
+  void Render(const vtkRenderState* state) override
+  {
+    this->NumberOfRenderedProps = 0;
+    vtkProp** props = state->GetPropArray();
+    if (std::any_of(props, props + state->GetPropArrayCount(),
+          [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
+    {
+      state->GetRenderer()->DeviceRenderTranslucentPolygonalGeometry();
+    }
+  }
+};
+vtkStandardNewMacro(TranslucentStep);
+
+// Which primitives a mapper is drawing is protected there, and says more than the shader's text.
+struct MapperAccess : vtkOpenGLPolyDataMapper
+{
+  static bool DrawsTriangles(vtkOpenGLPolyDataMapper* mapper)
+  {
+    const vtkOpenGLHelper* helper = mapper->*(&MapperAccess::LastBoundBO);
+    return helper &&
+      (helper->PrimitiveType == PrimitiveTris || helper->PrimitiveType == PrimitiveTriStrips);
+  }
+};
+
+std::string GetDeclarations(vtkNPRShadingStyle* style)
+{
+  return "#define NPR_MAXIMUM_LIGHTS " + std::to_string(vtkNPRShadingPass::MaximumNumberOfLights) +
+    "\n" + vtkNPRShadingFS + "\n#line 0\n" + style->GetCode() + "\n";
+}
+
+// A renderer's lights in view coordinates, as vtkNPRShadingFS.glsl declares them.
+struct Lights
+{
+  static constexpr int Maximum = vtkNPRShadingPass::MaximumNumberOfLights;
+  int Count = 0;
+  bool TooMany = false;
+  float Color[Maximum][3];
+  float Axis[Maximum][3];
+  float Position[Maximum][4];
+  float Attenuation[Maximum][3];
+  float Cone[Maximum][2];
+
+  explicit Lights(vtkRenderer* renderer)
+  {
+    vtkTransform* view = renderer->GetActiveCamera()->GetModelViewTransformObject();
+    vtkLightCollection* lights = renderer->GetLights();
+    vtkCollectionSimpleIterator cookie;
+    lights->InitTraversal(cookie);
+    while (vtkLight* light = lights->GetNextLight(cookie))
+    {
+      if (!light->GetSwitch())
+      {
+        continue;
+      }
+      if (this->Count == Maximum)
+      {
+        this->TooMany = true;
+        return;
+      }
+      this->Append(light, view);
+    }
+  }
+
+private:
+  void Append(vtkLight* light, vtkTransform* view)
+  {
+    const int i = this->Count++;
+    double position[3];
+    double focalPoint[3];
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focalPoint);
+    double axis[3];
+    vtkMath::Subtract(focalPoint, position, axis);
+    vtkMath::Normalize(axis);
+    view->TransformVector(axis, axis);
+    view->TransformPoint(position, position);
+
+    const bool positional = light->GetPositional() != 0;
+    const bool spot = positional && light->GetConeAngle() < 90.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Color[i][c] = static_cast<float>(light->GetDiffuseColor()[c] * light->GetIntensity());
+      this->Axis[i][c] = static_cast<float>(axis[c]);
+      this->Position[i][c] = static_cast<float>(position[c]);
+      this->Attenuation[i][c] = static_cast<float>(light->GetAttenuationValues()[c]);
+    }
+    this->Position[i][3] = positional ? 1.0f : 0.0f;
+    this->Cone[i][0] = spot
+      ? static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle())))
+      : -2.0f;
+    this->Cone[i][1] = static_cast<float>(light->GetExponent());
+  }
+};
+
+bool Contains(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkNPRShadingPass::vtkNPRShadingPass()
+{
+  this->SetStyle(vtkSmartPointer<vtkNPRPhongStyle>::New());
+  this->SetDelegatePass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkNPRShadingPass::~vtkNPRShadingPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Style: " << (this->Style ? this->Style->GetClassName() : "(none)") << "\n";
+  if (this->Style)
+  {
+    this->Style->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "DelegatePass: " << this->DelegatePass->GetClassName() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::SetStyle(vtkNPRShadingStyle* style)
+{
+  if (this->Style != style)
+  {
+    this->Style = style;
+    this->StyleTime.Modified();
+    this->CheckedTime = 0;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkNPRShadingStyle* vtkNPRShadingPass::GetStyle()
+{
+  return this->Style;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::SetDelegatePass(vtkRenderPass* pass)
+{
+  if (pass && this->DelegatePass == pass)
+  {
+    return;
+  }
+  if (pass)
+  {
+    this->DelegatePass = pass;
+  }
+  else
+  {
+    auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+    steps->SetTranslucentPass(vtkSmartPointer<TranslucentStep>::New());
+    this->DelegatePass = steps;
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkNPRShadingPass::GetDelegatePass()
+{
+  return this->DelegatePass;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::SetExcluded(vtkProp* prop, bool excluded)
+{
+  if (!prop->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    prop->SetPropertyKeys(keys);
+  }
+  prop->GetPropertyKeys()->Set(EXCLUDED(), excluded ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRShadingPass::GetExcluded(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return keys && keys->Has(EXCLUDED()) && keys->Get(EXCLUDED()) != 0;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkNPRShadingPass::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Style ? this->Style->GetMTime() : 0);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkNPRShadingPass::GetShaderStageMTime()
+{
+  return std::max(this->StyleTime.GetMTime(), this->Style ? this->Style->GetCodeMTime() : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::Render(const vtkRenderState* state)
+{
+  this->NumberOfRenderedProps = 0;
+  this->Renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (this->Style && this->CheckedTime != this->Style->GetCodeMTime())
+  {
+    this->CheckCode();
+  }
+
+  // Mappers ask the passes in their prop's keys: a prop without ours is drawn by VTK alone.
+  std::vector<vtkProp*> props;
+  const bool shading = this->Style && this->CodeIsGood;
+  if (shading)
+  {
+    std::copy_if(state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount(),
+      std::back_inserter(props), [](vtkProp* prop) { return !GetExcluded(prop); });
+    this->Style->Activate(window);
+  }
+  vtkRenderState shaded(this->Renderer);
+  shaded.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  this->PreRender(&shaded);
+  this->DelegatePass->Render(state);
+  this->NumberOfRenderedProps += this->DelegatePass->GetNumberOfRenderedProps();
+  this->PostRender(&shaded);
+  if (shading)
+  {
+    this->Style->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->DelegatePass->ReleaseGraphicsResources(window);
+  if (this->Style)
+  {
+    this->Style->ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A mapper whose shader does not compile crashes in some versions of VTK, so the style's code is
+// compiled alone first, which also gives a message about nothing but that code.
+void vtkNPRShadingPass::CheckCode()
+{
+  this->CheckedTime = this->Style->GetCodeMTime();
+  this->CodeIsGood = true;
+  vtkNew<vtkShader> shader;
+  shader->SetType(vtkShader::Fragment);
+  shader->SetSource("#version 150\n" + GetDeclarations(this->Style) +
+    "uniform NprSurface nprSurface;\n"
+    "out vec4 nprColor;\n"
+    "void main() { nprColor = vec4(nprShade(nprSurface), nprSurface.opacity); }\n");
+  if (!shader->Compile())
+  {
+    this->ReportBadCode(shader->GetError());
+  }
+  shader->Cleanup();
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::ReportBadCode(const std::string& message)
+{
+  this->CodeIsGood = false;
+  vtkErrorMacro("The GLSL of the shading style "
+    << this->Style->GetClassName()
+    << " does not compile. Surfaces are drawn with VTK's own shading "
+    << "until the style's code changes. Lines are counted from the first of the code. " << message);
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRShadingPass::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    // VTK's lighting stays: where it is there, ours takes its place afterwards, and the compiler
+    // drops the former.
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
+      std::string("//VTK::Light::Dec\n") + DeclarationTag, false);
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",
+      std::string("//VTK::UniformFlow::Impl\n") + UniformFlowTag, false);
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
+      std::string("//VTK::Light::Impl\n") + ImplementationTag, false);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRShadingPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  vtkProp* prop)
+{
+  auto* polyDataMapper = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!polyDataMapper || !actor || !this->CodeIsGood ||
+    !MapperAccess::DrawsTriangles(polyDataMapper) ||
+    actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
+    !Contains(fragmentShader, "vec4 vertexVC =") ||
+    !Contains(fragmentShader, "vec3 normalVCVSOutput =") ||
+    !Contains(fragmentShader, "float specularPower ="))
+  {
+    return true;
+  }
+  std::string shaded = fragmentShader;
+  const bool smooth = Contains(shaded, "in vec3 normalVCVSOutput;");
+  vtkShaderProgram::Substitute(
+    shaded, DeclarationTag, NormalMacro[smooth] + GetDeclarations(this->Style), false);
+  vtkShaderProgram::Substitute(shaded, UniformFlowTag, UniformFlow, false);
+  vtkShaderProgram::Substitute(shaded, ImplementationTag, Implementation, false);
+  vtkShaderProgram::Substitute(shaded, "NPR_BASE_COLOR",
+    Contains(shaded, "vec3 albedo =") ? PhysicalColor : PlainColor, false);
+
+  // The style's code may be good alone, but use a name that is one of VTK's. The program is cached,
+  // so the mapper's own request costs nothing.
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (window->GetShaderCache()->ReadyShaderProgram(
+        vertexShader.c_str(), shaded.c_str(), geometryShader.c_str()))
+  {
+    fragmentShader = shaded;
+  }
+  else
+  {
+    this->ReportBadCode(
+      "It fails together with VTK's shader, whose messages stand before this one; "
+      "a name at global scope may be one of VTK's.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRShadingPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  const Lights lights(this->Renderer);
+  if (lights.TooMany && !this->WarnedOfLights)
+  {
+    this->WarnedOfLights = true;
+    vtkWarningMacro(
+      "More than " << MaximumNumberOfLights << " lights are on; only the first of them shade.");
+  }
+  program->SetUniformi(
+    "nprParallelProjection", this->Renderer->GetActiveCamera()->GetParallelProjection());
+  program->SetUniformi("nprLightCount", lights.Count);
+  if (lights.Count > 0)
+  {
+    program->SetUniform3fv("nprLightColor", lights.Count, lights.Color);
+    program->SetUniform3fv("nprLightAxis", lights.Count, lights.Axis);
+    program->SetUniform4fv("nprLightPosition", lights.Count, lights.Position);
+    program->SetUniform3fv("nprLightAttenuation", lights.Count, lights.Attenuation);
+    program->SetUniform2fv("nprLightCone", lights.Count, lights.Cone);
+  }
+  this->Style->SetUniforms(program);
+  return true;
+}
