@@ -3,6 +3,7 @@
 #ifndef nprTriangleMesh_h
 #define nprTriangleMesh_h
 
+#include "nprVTKCompat.h"
 #include "vtkNPRFiltersCoreModule.h"
 #include <vtkType.h>
 
@@ -12,7 +13,9 @@
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace npr
 {

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprCreases.h"
+
+#include <vtkMath.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace npr
+{
+namespace
+{
+using Index = TriangleMesh::Index;
+using Triangle = TriangleMesh::Triangle;
+using Vector = TriangleMesh::Vector;
+
+/// Edges in a row, borders they end at included, below which a sharp edge is taken for noise.
+constexpr int ShortestChain = 3;
+
+//------------------------------------------------------------------------------
+int FindCorner(const Triangle& corners, Index point)
+{
+  return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
+}
+
+//------------------------------------------------------------------------------
+/// Which edge of the neighbour is the one from `from` to `to` (either way), and whether the
+/// neighbour runs through it the other way, as it should.
+bool RunsOppositely(const Triangle& neighbour, Index from, Index to)
+{
+  return neighbour[(FindCorner(neighbour, to) + 1) % 3] == from;
+}
+
+//------------------------------------------------------------------------------
+/// The mean normal of a triangle and those of its neighbours that bend less than the angle, but for
+/// the one across an edge.
+Vector GetSideNormal(const TriangleMesh& mesh, const std::vector<Vector>& normals, float cosine,
+  Index triangle, Index except)
+{
+  // Twice the area as the weight: a scan's triangles are all alike, a thin sliver should not count.
+  Eigen::Vector3d sum = mesh.GetAreaNormal(triangle).cast<double>();
+  for (int e = 0; e < 3; ++e)
+  {
+    const Index neighbour = mesh.GetNeighbour(triangle, e);
+    if (neighbour >= 0 && neighbour != except &&
+      normals[triangle].dot(normals[neighbour]) >= cosine)
+    {
+      sum += mesh.GetAreaNormal(neighbour).cast<double>();
+    }
+  }
+  return sum.normalized().cast<float>();
+}
+
+//------------------------------------------------------------------------------
+/// Union-find with path halving; the smallest point of a set is its root.
+Index FindRoot(std::vector<Index>& parents, Index point)
+{
+  while (parents[point] != point)
+  {
+    parents[point] = parents[parents[point]];
+    point = parents[point];
+  }
+  return point;
+}
+
+//------------------------------------------------------------------------------
+/// Takes back creases that are too short.
+void DropShortChains(const TriangleMesh& mesh, EdgeFlags& creases)
+{
+  std::vector<Index> parents(mesh.GetNumberOfPoints());
+  std::vector<unsigned char> border(mesh.GetNumberOfPoints(), 0);
+  for (Index i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    parents[i] = i;
+  }
+  bool any = false;
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    const Triangle& corners = mesh.GetTriangle(t);
+    for (int e = 0; e < 3; ++e)
+    {
+      if (mesh.GetNeighbour(t, e) < 0)
+      {
+        border[corners[e]] = border[corners[(e + 1) % 3]] = 1;
+      }
+      else if (creases[t][e])
+      {
+        any = true;
+        const Index a = FindRoot(parents, corners[e]);
+        const Index b = FindRoot(parents, corners[(e + 1) % 3]);
+        parents[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  if (!any)
+  {
+    return;
+  }
+  // Every crease is met from both of its triangles, and so counts twice.
+  std::vector<int> lengths(mesh.GetNumberOfPoints(), 0);
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      if (creases[t][e])
+      {
+        ++lengths[FindRoot(parents, mesh.GetTriangle(t)[e])];
+      }
+    }
+  }
+  for (Index i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    if (border[i])
+    {
+      lengths[FindRoot(parents, i)] += 2;
+    }
+  }
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      const Triangle& corners = mesh.GetTriangle(t);
+      if (creases[t][e] && lengths[FindRoot(parents, corners[e])] < 2 * ShortestChain &&
+        RunsOppositely(mesh.GetTriangle(mesh.GetNeighbour(t, e)), corners[e], corners[(e + 1) % 3]))
+      {
+        creases[t][e] = 0;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Labels the triangles around a point by the group they belong to, and returns how many there are.
+int LabelFan(
+  const TriangleMesh& mesh, const EdgeFlags& creases, Index point, std::vector<int>& labels)
+{
+  const Index* const begin = mesh.IncidentBegin(point);
+  const Index* const end = mesh.IncidentEnd(point);
+  labels.assign(end - begin, -1);
+  int count = 0;
+  for (const Index* first = begin; first != end; ++first)
+  {
+    if (labels[first - begin] >= 0)
+    {
+      continue;
+    }
+    labels[first - begin] = count;
+    // From the first triangle of the group, go round both ways.
+    for (int way = 0; way < 2; ++way)
+    {
+      Index triangle = *first;
+      int edge = (FindCorner(mesh.GetTriangle(triangle), point) + 2 * way) % 3;
+      for (;;)
+      {
+        const Index next = mesh.GetNeighbour(triangle, edge);
+        if (next < 0 || creases[triangle][edge])
+        {
+          break;
+        }
+        int& label = labels[std::lower_bound(begin, end, next) - begin];
+        if (label >= 0)
+        {
+          break;
+        }
+        label = count;
+        // Out of the next triangle by its edge at the point that is not the one come in by.
+        const Triangle& corners = mesh.GetTriangle(triangle);
+        const Index other = corners[edge] == point ? corners[(edge + 1) % 3] : corners[edge];
+        const Triangle& nextCorners = mesh.GetTriangle(next);
+        const int here = FindCorner(nextCorners, point);
+        edge = nextCorners[(here + 1) % 3] == other ? (here + 2) % 3 : here;
+        triangle = next;
+      }
+    }
+    ++count;
+  }
+  return count;
+}
+}
+
+//------------------------------------------------------------------------------
+EdgeFlags FindCreases(const TriangleMesh& mesh, double angle)
+{
+  const float cosine = static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle)));
+  const Index numberOfTriangles = mesh.GetNumberOfTriangles();
+  std::vector<Vector> normals(numberOfTriangles);
+  vtkSMPTools::For(0, numberOfTriangles,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        normals[t] =
+          mesh.GetAreaNormal(static_cast<Index>(t)).cast<double>().normalized().cast<float>();
+      }
+    });
+  EdgeFlags creases(numberOfTriangles, { { 0, 0, 0 } });
+  vtkSMPTools::For(0, numberOfTriangles,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Index t = static_cast<Index>(i);
+        const Triangle& corners = mesh.GetTriangle(t);
+        for (int e = 0; e < 3; ++e)
+        {
+          const Index neighbour = mesh.GetNeighbour(t, e);
+          if (neighbour < 0)
+          {
+            continue;
+          }
+          if (!RunsOppositely(mesh.GetTriangle(neighbour), corners[e], corners[(e + 1) % 3]))
+          {
+            creases[t][e] = 1;
+            continue;
+          }
+          // Without area there is no normal, and no angle.
+          creases[t][e] = angle < 180.0 && normals[t].dot(normals[neighbour]) < cosine &&
+            !normals[t].isZero() && !normals[neighbour].isZero() &&
+            GetSideNormal(mesh, normals, cosine, t, neighbour)
+                .dot(GetSideNormal(mesh, normals, cosine, neighbour, t)) < cosine;
+        }
+      }
+    });
+  DropShortChains(mesh, creases);
+  return creases;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> SplitPoints(
+  const TriangleMesh& mesh, const EdgeFlags& creases, std::vector<Triangle>& triangles)
+{
+  std::vector<unsigned char> isSplit(mesh.GetNumberOfPoints(), 0);
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<int> labels;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        isSplit[i] = LabelFan(mesh, creases, static_cast<Index>(i), labels) > 1;
+      }
+    });
+  std::vector<Index> originals;
+  std::vector<int> labels;
+  for (Index point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  {
+    if (!isSplit[point])
+    {
+      continue;
+    }
+    const int count = LabelFan(mesh, creases, point, labels);
+    const Index firstCopy = mesh.GetNumberOfPoints() + static_cast<Index>(originals.size());
+    const Index* const incident = mesh.IncidentBegin(point);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+    {
+      if (labels[i] > 0)
+      {
+        triangles[incident[i]][FindCorner(mesh.GetTriangle(incident[i]), point)] =
+          firstCopy + labels[i] - 1;
+      }
+    }
+    originals.insert(originals.end(), count - 1, point);
+  }
+  return originals;
+}
+}

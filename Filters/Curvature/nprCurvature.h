@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprCurvature.h
+ * @brief The second fundamental form of triangle meshes.
+ */
+#ifndef nprCurvature_h
+#define nprCurvature_h
+
+#include "nprTangentFrame.h"
+#include "nprTriangleMesh.h"
+#include "nprTupleArrays.h"
+#include "vtkNPRFiltersCurvatureModule.h"
+
+#include <array>
+#include <vector>
+
+namespace npr
+{
+/// A triangle's edges (edge i lies opposite corner i), a frame of its plane, and its shares of
+/// area.
+struct VTKNPRFILTERSCURVATURE_EXPORT FaceFrame
+{
+  FaceFrame(const TriangleMesh& mesh, const TriangleMesh::Triangle& corners);
+
+  /// Mixed Voronoi areas of the corners (Meyer et al. 2003): they add up to the area, and each is
+  /// the part of the triangle that is nearest to its corner, but for obtuse triangles.
+  Eigen::Vector3d GetCornerAreas() const;
+
+  /// The normal of the plane towards the side that a point's normal points to: given normals may
+  /// disagree with the winding.
+  Eigen::Vector3d GetNormalTowards(const Eigen::Vector3d& pointNormal) const
+  {
+    return this->Normal.dot(pointNormal) < 0.0 ? Eigen::Vector3d(-this->Normal) : this->Normal;
+  }
+
+  std::array<Eigen::Vector3d, 3> Edges;
+  Eigen::Vector3d Normal;
+  TangentFrame Frame;
+  double Area;
+  /// False without area, or where the triangle is too thin to say anything about the surface.
+  bool IsUsable;
+};
+
+/// Principal curvatures, |K1| >= |K2|, and directions, E1 x E2 = normal.
+struct PrincipalFrame
+{
+  double K1;
+  double K2;
+  Eigen::Vector3d E1;
+  Eigen::Vector3d E2;
+};
+
+/// At an umbilic (K1 = K2) the directions are arbitrary, but always the same.
+VTKNPRFILTERSCURVATURE_EXPORT PrincipalFrame Diagonalise(
+  const SymmetricTensor& tensor, const Eigen::Vector3d& normal);
+
+/**
+ * The second fundamental form at the points, as tensors in space (needs the incidence).
+ *
+ * S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004: in
+ * each triangle the least squares solution of II(edge) = difference of the normals; at a point
+ * their mean, weighted by the point's share of the area, each turned into its tangent plane about
+ * the cross product of the normals. On a border only one side contributes. Zero where nothing is
+ * known.
+ *
+ * @param normals unit normals, one for each point
+ */
+VTKNPRFILTERSCURVATURE_EXPORT Tuples<6> ComputeCurvatureTensors(
+  const TriangleMesh& mesh, const Tuples<3>& normals);
+
+/// Principal curvatures and directions of a whole surface.
+struct PrincipalFrames
+{
+  std::vector<float> K1;
+  std::vector<float> K2;
+  Tuples<3> E1;
+  Tuples<3> E2;
+};
+
+VTKNPRFILTERSCURVATURE_EXPORT PrincipalFrames ComputePrincipalFrames(
+  const Tuples<6>& tensors, const Tuples<3>& normals);
+}
+
+#endif

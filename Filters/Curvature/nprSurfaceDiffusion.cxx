@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprSurfaceDiffusion.h"
+
+#include "nprCurvature.h"
+#include "nprCurvatureDerivatives.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace npr
+{
+namespace
+{
+using Index = TriangleMesh::Index;
+using Eigen::Vector3d;
+
+/// More would take minutes on large scans; the documentation of the filters says that it ends here.
+constexpr int MaximumNumberOfSteps = 1000;
+
+/// An explicit step is stable up to 1; above it a point would overshoot its neighbours.
+constexpr double LargestStep = 0.8;
+
+/// What the operator of std::complex does, without its care for infinities, which costs a call.
+std::complex<float> Multiply(std::complex<float> a, std::complex<float> b)
+{
+  return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
+}
+
+std::complex<float> Turn(std::complex<float> value, std::complex<float> turning, int spin)
+{
+  for (int i = 0; i < spin; ++i)
+  {
+    value = Multiply(value, turning);
+  }
+  return value;
+}
+}
+
+//------------------------------------------------------------------------------
+SurfaceDiffusion::SurfaceDiffusion(const TriangleMesh& mesh, const Tuples<3>& normals)
+  : Normals(normals)
+{
+  const Index numberOfPoints = mesh.GetNumberOfPoints();
+  // Each triangle at a point gives it two half links, so this is an upper bound; those to the same
+  // neighbour are joined.
+  this->Offsets.resize(numberOfPoints + 1, 0);
+  for (Index i = 0; i < numberOfPoints; ++i)
+  {
+    this->Offsets[i + 1] = this->Offsets[i] + 2 * mesh.GetNumberOfIncident(i);
+  }
+  this->Links.resize(this->Offsets.back());
+  this->Rates.resize(numberOfPoints, 0.0f);
+  std::vector<double> areas(numberOfPoints, 0.0);
+  vtkSMPTools::For(0, numberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<std::pair<Index, double>> halves;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Index point = static_cast<Index>(i);
+        halves.clear();
+        for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+        {
+          const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
+          const FaceFrame face(mesh, corners);
+          if (!face.IsUsable)
+          {
+            continue;
+          }
+          const int here = corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
+          const int next = (here + 1) % 3;
+          const int last = (here + 2) % 3;
+          areas[i] += face.GetCornerAreas()[here];
+          // Half the cotangent of the angle opposite the link; cot = dot / (2 area).
+          halves.emplace_back(
+            corners[next], -face.Edges[here].dot(face.Edges[next]) / (4.0 * face.Area));
+          halves.emplace_back(
+            corners[last], -face.Edges[here].dot(face.Edges[last]) / (4.0 * face.Area));
+        }
+        std::sort(halves.begin(), halves.end());
+        const Vector3d normal = normals[i].cast<double>();
+        const TangentFrame frame = MakeTangentFrame(normal);
+        Index slot = this->Offsets[i];
+        double rate = 0.0;
+        for (std::size_t h = 0; h < halves.size();)
+        {
+          const Index to = halves[h].first;
+          double weight = 0.0;
+          for (; h < halves.size() && halves[h].first == to; ++h)
+          {
+            weight += halves[h].second;
+          }
+          const Vector3d other = normals[to].cast<double>();
+          const MinimalRotation rotation(other, normal);
+          // Negative weights (obtuse triangles) would turn averages into extrapolations.
+          weight = rotation.IsValid() && areas[i] > 0.0 ? std::max(weight, 0.0) / areas[i] : 0.0;
+          if (weight > 0.0)
+          {
+            const Vector3d u = rotation(MakeTangentFrame(other).U);
+            this->Links[slot++] = { to, static_cast<float>(weight),
+              { static_cast<float>(u.dot(frame.U)), static_cast<float>(u.dot(frame.V)) } };
+            rate += weight;
+          }
+        }
+        std::fill(this->Links.begin() + slot, this->Links.begin() + this->Offsets[i + 1],
+          Link{ point, 0.0f, { 1.0f, 0.0f } });
+        this->Rates[i] = static_cast<float>(rate);
+      }
+    });
+  double sum = 0.0;
+  double area = 0.0;
+  for (Index i = 0; i < numberOfPoints; ++i)
+  {
+    sum += areas[i] * this->Rates[i];
+    area += areas[i];
+  }
+  this->MeanRate = area > 0.0 ? sum / area : 0.0;
+}
+
+//------------------------------------------------------------------------------
+TangentFrame SurfaceDiffusion::GetFrame(Index point) const
+{
+  return MakeTangentFrame(this->Normals[point].cast<double>());
+}
+
+//------------------------------------------------------------------------------
+void SurfaceDiffusion::Smooth(Field& field, int spin, double radius) const
+{
+  const double time = 0.5 * radius * radius;
+  // Steps in which even points with three times the mean rate are followed exactly; only still
+  // smaller triangles, which are in balance with their neighbourhood anyway, are held back.
+  const double wanted = std::ceil(3.0 * time * this->MeanRate / LargestStep);
+  if (!(wanted >= 1.0))
+  {
+    return;
+  }
+  const int steps = static_cast<int>(std::min<double>(wanted, MaximumNumberOfSteps));
+  const float step = static_cast<float>(time / steps);
+  Field next(field.size());
+  for (int s = 0; s < steps; ++s)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(field.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          std::complex<float> change = 0.0f;
+          for (Index l = this->Offsets[i]; l < this->Offsets[i + 1] && this->Links[l].Weight > 0.0f;
+               ++l)
+          {
+            const Link& link = this->Links[l];
+            change += link.Weight * (Turn(field[link.To], link.Turning, spin) - field[i]);
+          }
+          const float rate = this->Rates[i];
+          const float factor =
+            step * rate <= LargestStep ? step : static_cast<float>(LargestStep) / rate;
+          next[i] = field[i] + factor * change;
+        }
+      });
+    field.swap(next);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceDiffusion::SmoothNormals(Tuples<3>& normals, double radius) const
+{
+  Field xy(normals.size());
+  Field z(normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    xy[i] = { normals[i].x(), normals[i].y() };
+    z[i] = normals[i].z();
+  }
+  this->Smooth(xy, 0, radius);
+  this->Smooth(z, 0, radius);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    const Eigen::Vector3f smooth(xy[i].real(), xy[i].imag(), z[i].real());
+    // Where the normals around cancel each other the old one is as good as any.
+    if (smooth.norm() > 1e-3f)
+    {
+      normals[i] = smooth.normalized();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceDiffusion::SmoothTensors(Tuples<6>& tensors, double radius) const
+{
+  // The mean of the two curvatures is a scalar; the rest turns by twice the angle.
+  Field mean(tensors.size());
+  Field rest(tensors.size());
+  const vtkIdType size = static_cast<vtkIdType>(tensors.size());
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Eigen::Vector3f form =
+          ToFrame(tensors[i].cast<double>(), this->GetFrame(static_cast<Index>(i))).cast<float>();
+        mean[i] = 0.5f * (form[0] + form[2]);
+        rest[i] = { 0.5f * (form[0] - form[2]), form[1] };
+      }
+    });
+  this->Smooth(mean, 0, radius);
+  this->Smooth(rest, 2, radius);
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Vector3d form(
+          mean[i].real() + rest[i].real(), rest[i].imag(), mean[i].real() - rest[i].real());
+        tensors[i] = FromFrame(form, this->GetFrame(static_cast<Index>(i))).cast<float>();
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void SurfaceDiffusion::SmoothCubics(Tuples<4>& cubics, const Tuples<3>& e1, double radius) const
+{
+  // C(x,x,x) over the unit circle, x at the angle a, has just the terms cos a, sin a, cos 3a, sin
+  // 3a.
+  Field first(cubics.size());
+  Field third(cubics.size());
+  const vtkIdType size = static_cast<vtkIdType>(cubics.size());
+  const auto principalFrame = [&](vtkIdType i)
+  {
+    const Vector3d a = e1[i].cast<double>();
+    return TangentFrame{ a, this->Normals[i].cast<double>().cross(a) };
+  };
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Eigen::Vector4f c = ChangeFrame(
+          cubics[i].cast<double>(), principalFrame(i), this->GetFrame(static_cast<Index>(i)))
+                                    .cast<float>();
+        first[i] = { 0.75f * (c[0] + c[2]), 0.75f * (c[1] + c[3]) };
+        third[i] = { 0.25f * (c[0] - 3.0f * c[2]), 0.25f * (3.0f * c[1] - c[3]) };
+      }
+    });
+  this->Smooth(first, 1, radius);
+  this->Smooth(third, 3, radius);
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const double a1 = first[i].real();
+        const double b1 = first[i].imag();
+        const double a3 = third[i].real();
+        const double b3 = third[i].imag();
+        const Eigen::Vector4d c(a1 + a3, b1 / 3.0 + b3, a1 / 3.0 - a3, b1 - b3);
+        cubics[i] =
+          ChangeFrame(c, this->GetFrame(static_cast<Index>(i)), principalFrame(i)).cast<float>();
+      }
+    });
+}
+}

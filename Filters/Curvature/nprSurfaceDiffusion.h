@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprSurfaceDiffusion.h
+ * @brief Smoothing of normals, tensors and cubic forms along a surface.
+ *
+ * The heat equation, run for the time radius^2 / 2: on a plane the same as a Gaussian filter whose
+ * standard deviation is the radius. The Laplacian is the cotangent one, so that the result depends
+ * on the surface and not (to first order) on its triangles; what lies in tangent planes is turned
+ * from one to the other, so that nothing is lost on curved surfaces. Nothing flows across borders,
+ * and so none across creases where the preparation has split them.
+ */
+#ifndef nprSurfaceDiffusion_h
+#define nprSurfaceDiffusion_h
+
+#include "nprTangentFrame.h"
+#include "nprTriangleMesh.h"
+#include "nprTupleArrays.h"
+#include "vtkNPRFiltersCurvatureModule.h"
+
+#include <complex>
+#include <vector>
+
+namespace npr
+{
+/// The weights of one surface, for any number of fields on it.
+class VTKNPRFILTERSCURVATURE_EXPORT SurfaceDiffusion
+{
+public:
+  /// Needs the mesh's incidence, and keeps no reference to mesh or normals.
+  SurfaceDiffusion(const TriangleMesh& mesh, const Tuples<3>& normals);
+
+  /// The frame that a point's complex values refer to.
+  TangentFrame GetFrame(TriangleMesh::Index point) const;
+
+  /// A field of values that turn by `spin` times the angle by which their frame turns: 0 for pairs
+  /// of scalars, 1 for tangent vectors, 2 and 3 for the parts of tensors and cubic forms.
+  using Field = std::vector<std::complex<float>>;
+  /// @param radius standard deviation of the smoothing; length
+  void Smooth(Field& field, int spin, double radius) const;
+
+  void SmoothNormals(Tuples<3>& normals, double radius) const;
+  void SmoothTensors(Tuples<6>& tensors, double radius) const;
+  /// @param e1 first unit vectors of the frames that the cubic forms refer to
+  void SmoothCubics(Tuples<4>& cubics, const Tuples<3>& e1, double radius) const;
+
+private:
+  struct Link
+  {
+    TriangleMesh::Index To;
+    float Weight;                // 1 / length^2
+    std::complex<float> Turning; // from the neighbour's frame to one's own
+  };
+
+  std::vector<TriangleMesh::Index> Offsets;
+  std::vector<Link> Links;
+  std::vector<float> Rates; // sums of the weights
+  double MeanRate = 0.0;    // over the area
+  Tuples<3> Normals;
+};
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRSurfaceNormals
+ * @brief Computes the unit normals at the points of a triangle mesh.
+ *
+ * The normals become the array "Normals" and the active normals of the output. The triangles should
+ * be clean and oriented: run vtkNPRSurfacePreparation first. Where that has split the surface along
+ * creases, each copy of a point gets the normal of its own patch. On borders the normal is
+ * corrected for the missing half of its neighbourhood; where there is no area it still is a unit
+ * vector.
+ *
+ * N. Max, "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999.
+ * @sa vtkNPRSurfacePreparation vtkNPRCurvatureTensor
+ */
+#ifndef vtkNPRSurfaceNormals_h
+#define vtkNPRSurfaceNormals_h
+
+#include "vtkNPRFiltersCurvatureModule.h"
+#include <vtkPolyDataAlgorithm.h>
+
+class VTKNPRFILTERSCURVATURE_EXPORT vtkNPRSurfaceNormals : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkNPRSurfaceNormals* New();
+  vtkTypeMacro(vtkNPRSurfaceNormals, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How much a triangle counts at a point.
+  enum WeightingType
+  {
+    MAX = 0,  ///< area / (product of the squared edges at the point): exact on spheres
+    AREA = 1, ///< its area
+    ANGLE = 2 ///< its angle at the point
+  };
+  ///@{
+  /// Default is MAX.
+  vtkSetClampMacro(Weighting, int, MAX, ANGLE);
+  vtkGetMacro(Weighting, int);
+  void SetWeightingToMax() { this->SetWeighting(MAX); }
+  void SetWeightingToArea() { this->SetWeighting(AREA); }
+  void SetWeightingToAngle() { this->SetWeighting(ANGLE); }
+  ///@}
+
+  ///@{
+  /// Standard deviation of a smoothing of the normals along the surface, as a fraction of the
+  /// surface's length scale (see nprSurfaceDiffusion.h). Nothing flows across creases that the
+  /// preparation has split. 0 (the default) does not smooth; useful values go up to about 0.1. The
+  /// work grows with the square of radius / edge length, and ends at 1000 steps.
+  vtkSetClampMacro(SmoothingRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SmoothingRadius, double);
+  ///@}
+
+protected:
+  vtkNPRSurfaceNormals();
+  ~vtkNPRSurfaceNormals() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkNPRSurfaceNormals(const vtkNPRSurfaceNormals&) = delete;
+  void operator=(const vtkNPRSurfaceNormals&) = delete;
+
+  int Weighting = MAX;
+  double SmoothingRadius = 0.0;
+};
+
+#endif
