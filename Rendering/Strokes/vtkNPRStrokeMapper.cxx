@@ -78,32 +78,29 @@ Translucency GetTranslucency(vtkActor* actor)
 class vtkNPRStrokeMapper::Graphics
 {
 public:
-  ~Graphics()
-  {
-    if (this->Window)
-    {
-      this->Release();
-    }
-  }
+  Graphics() = default;
+  ~Graphics() { this->Release(); }
 
-  /// Everything below belongs to one window; what was made for another is given back to it.
+  /// Everything below belongs to one window; what was made for another is given back to it. A
+  /// window that dies says so while its context still lives.
   void SetWindow(vtkOpenGLRenderWindow* window)
   {
     if (this->Window == window)
     {
       return;
     }
-    if (this->Window)
-    {
-      this->Release();
-      window->MakeCurrent();
-    }
+    this->Release();
     this->Window = window;
+    this->WindowObserver = window->AddObserver(vtkCommand::DeleteEvent, this, &Graphics::Release);
   }
 
   void Release()
   {
-    this->Window->MakeCurrent();
+    if (!this->Window)
+    {
+      return;
+    }
+    this->Window->PushContext();
     this->Composite.reset();
     this->Layer.ReleaseGraphicsResources(this->Window);
     this->VertexArray->ReleaseGraphicsResources();
@@ -111,6 +108,8 @@ public:
     this->VertexArrayProgram = nullptr;
     this->NumberOfSegments = 0;
     this->UploadTime = vtkTimeStamp();
+    this->Window->PopContext();
+    this->Window->RemoveObserver(this->WindowObserver);
     this->Window = nullptr;
   }
 
@@ -155,7 +154,8 @@ public:
     return true;
   }
 
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  unsigned long WindowObserver = 0;
   npr::StrokeLayer Layer;
   std::unique_ptr<vtkOpenGLQuadHelper> Composite;
   vtkNew<vtkOpenGLBufferObject> Buffer;
@@ -177,7 +177,7 @@ vtkNPRStrokeMapper::~vtkNPRStrokeMapper() = default;
 
 void vtkNPRStrokeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Resources->Window && this->Resources->Window == window)
+  if (this->Resources->Window == window)
   {
     this->Resources->Release();
   }
