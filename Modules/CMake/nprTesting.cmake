@@ -3,9 +3,10 @@
 
 set(NPR_TEST_OUTPUT "${CMAKE_BINARY_DIR}/Testing/Output")
 file(MAKE_DIRECTORY "${NPR_TEST_OUTPUT}")
+set(NPR_TEST_MODELS "${CMAKE_BINARY_DIR}/Testing/Models")
 
 # No test opens a window on the screen of whoever runs it.
-set(NPR_TEST_ENVIRONMENT "NPR_OFFSCREEN=osmesa" "LP_NUM_THREADS=2")
+set(NPR_TEST_ENVIRONMENT "NPR_OFFSCREEN=osmesa" "LP_NUM_THREADS=2" "NPR_MODELS=${NPR_TEST_MODELS}")
 
 # npr_add_tests(NAME <module library, such as vtkNPRFiltersLines>
 #   SOURCES TestA.cxx TestB.cxx ... [LIBRARIES <targets>...])
@@ -31,4 +32,10 @@ function (npr_add_tests)
     set_tests_properties("${arg_NAME}.${test}" PROPERTIES
       ENVIRONMENT "${NPR_TEST_ENVIRONMENT}" TIMEOUT 300)
   endforeach ()
+endfunction ()
+
+# npr_tests_need_models(<test>...): such tests read models that Testing/Data/fetch brings, by
+# npr::TestModel() (nprTestModels.h, target nprTestModels), and are skipped where it can not.
+function (npr_tests_need_models)
+  set_tests_properties(${ARGV} PROPERTIES FIXTURES_REQUIRED NprModels SKIP_RETURN_CODE 125)
 endfunction ()
