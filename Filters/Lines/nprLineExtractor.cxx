@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -151,14 +152,20 @@ std::vector<LineSegment> LineExtractor::Extract(const LineView& view) const
     }
   }
   const vtkNPRLineDefinition::EdgeKind edges = this->Definition.GetEdges();
+  std::vector<LineSegment> edgeSegments;
   if (edges != vtkNPRLineDefinition::NoEdges)
   {
-    this->ExtractEdges(this->Surface.GetSeams(), segments);
+    this->ExtractEdges(this->Surface.GetSeams(), edgeSegments);
   }
   if (edges == vtkNPRLineDefinition::AllEdges)
   {
-    this->ExtractEdges(this->Surface.GetInnerEdges(), segments);
+    this->ExtractEdges(this->Surface.GetInnerEdges(), edgeSegments);
   }
+  if (this->Definition.GetLeastRow() > 1.0)
+  {
+    this->DropShortRows(edgeSegments);
+  }
+  segments.insert(segments.end(), edgeSegments.begin(), edgeSegments.end());
   RemoveDoubles(segments, this->FirstVertexKey);
   return segments;
 }
@@ -460,5 +467,58 @@ void LineExtractor::ExtractEdges(const EdgeList& edges, std::vector<LineSegment>
       }
     });
   AppendBlocks(blocks, segments);
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::DropShortRows(std::vector<LineSegment>& segments) const
+{
+  const Index numberOfPoints = this->Surface.GetMesh().GetNumberOfPoints();
+  std::vector<Index> parents(numberOfPoints);
+  std::iota(parents.begin(), parents.end(), 0);
+  const auto findRoot = [&parents](Index point)
+  {
+    while (parents[point] != point)
+    {
+      parents[point] = parents[parents[point]];
+      point = parents[point];
+    }
+    return point;
+  };
+  const auto getPoint = [this](const LineSegment& segment, int end)
+  { return static_cast<Index>(segment.Keys[end] - this->FirstVertexKey); };
+
+  for (const LineSegment& segment : segments)
+  {
+    parents[findRoot(getPoint(segment, 0))] = findRoot(getPoint(segment, 1));
+  }
+  std::vector<char> atBorder(numberOfPoints, 0);
+  const EdgeList& seams = this->Surface.GetSeams();
+  for (Index edge = 0; edge < seams.GetNumberOfEdges(); ++edge)
+  {
+    if (seams.End(edge) - seams.Begin(edge) == 1)
+    {
+      for (Index point : this->GetLowAndHigh(*seams.Begin(edge)))
+      {
+        atBorder[this->Surface.GetWelded(point)] = 1;
+      }
+    }
+  }
+  std::vector<Index> lengths(numberOfPoints, 0);
+  for (const LineSegment& segment : segments)
+  {
+    ++lengths[findRoot(getPoint(segment, 0))];
+  }
+  for (Index point = 0; point < numberOfPoints; ++point)
+  {
+    if (atBorder[point])
+    {
+      ++lengths[findRoot(point)];
+    }
+  }
+  segments.erase(
+    std::remove_if(segments.begin(), segments.end(),
+      [&](const LineSegment& segment)
+      { return lengths[findRoot(getPoint(segment, 0))] < this->Definition.GetLeastRow(); }),
+    segments.end());
 }
 }

@@ -57,6 +57,7 @@ private:
     const LineView& view, const float* field, std::vector<LineSegment>& segments) const;
   void ExtractJumps(const float* field, std::vector<LineSegment>& segments) const;
   void ExtractEdges(const EdgeList& edges, std::vector<LineSegment>& segments) const;
+  void DropShortRows(std::vector<LineSegment>& segments) const;
 
   const LineSurface& Surface;
   const vtkNPRLineDefinition& Definition;

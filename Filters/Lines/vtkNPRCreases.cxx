@@ -14,6 +14,8 @@ vtkNPRCreases::vtkNPRCreases()
 {
   this->AddParameter("angle", "least angle between the normals of two triangles, in degrees",
     this->Angle, 0.0, 180.0);
+  this->AddParameter("leastEdges", "least number of edges that make a crease; fewer are noise",
+    this->LeastEdges, 1.0, 1.0e6);
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,13 @@ public:
   vtkGetMacro(Angle, double);
   ///@}
 
+  ///@{
+  /// The least number of edges that make a crease; 1 keeps every sharp edge. Range [1, 1e6].
+  /// Default is 3.
+  vtkSetClampMacro(LeastEdges, double, 1.0, 1.0e6);
+  vtkGetMacro(LeastEdges, double);
+  ///@}
+
 #ifndef __VTK_WRAP__
   EdgeKind GetEdges() const override
   {
@@ -39,6 +46,10 @@ public:
   }
   void EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges, vtkIdType begin,
     vtkIdType end, float* strength) const override;
+  double GetLeastRow() const override
+  {
+    return this->LeastEdges;
+  }
 #endif
 
 protected:
@@ -47,6 +58,7 @@ protected:
 
 private:
   double Angle = 40.0;
+  double LeastEdges = 3.0;
 
   vtkNPRCreases(const vtkNPRCreases&) = delete;
   void operator=(const vtkNPRCreases&) = delete;

@@ -131,6 +131,12 @@ public:
   /// safe to call from several threads at a time.
   virtual void EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges,
     vtkIdType begin, vtkIdType end, float* strength) const;
+  /// Accepted edges that hang together are left out as noise when they are fewer than this; each of
+  /// their points at a border counts as one more.
+  virtual double GetLeastRow() const
+  {
+    return 1.0;
+  }
   ///@}
 #endif
 

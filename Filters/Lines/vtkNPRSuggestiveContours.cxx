@@ -136,15 +136,20 @@ void vtkNPRSuggestiveContours::EvaluateTest(const npr::LineSurface& surface,
     const double cosine = n.dot(v);
     const Eigen::Vector3f w = v - static_cast<float>(cosine) * n;
     const double sine = w.norm();
-    const Eigen::Vector3f unit = w.normalized();
+    const double headOn = least > 0.0 ? (sine - least) / least : 1.0;
+    const double facing = std::min(headOn, cosine / this->ContourFade);
+    if (facing <= 0.0)
+    {
+      test[j] = static_cast<float>(facing);
+      continue;
+    }
+    const Eigen::Vector3f unit = w.normalized(); // 0 where there is no direction
     const double a = unit.dot(directions1[i]);
     const double b = unit.dot(directions2[i]);
     const double cubic = a * a * (a * p[i] + 3.0 * b * q[i]) + b * b * (3.0 * a * s[i] + b * t[i]);
     const double derivative = sine * cubic + 2.0 * double(k1[i]) * k2[i] * cosine;
     const double rise = (square * derivative - this->Threshold * sine) / this->Fade;
-    const double headOn = least > 0.0 ? (sine - least) / least : 1.0;
-    // The least of them decides; a NaN must not be hidden by the comparison.
-    test[j] = static_cast<float>(
-      std::isnan(rise) ? rise : std::min({ rise, headOn, cosine / this->ContourFade }));
+    // In this order a NaN stays.
+    test[j] = static_cast<float>(facing < rise ? facing : rise);
   }
 }

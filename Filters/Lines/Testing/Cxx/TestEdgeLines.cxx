@@ -63,6 +63,36 @@ void TestAngle(Checks& check)
   check(lines->GetOutput()->GetNumberOfLines() == 12, "a right angle is a crease above 89 degrees");
 }
 
+// One sharp edge within a surface is noise; where it runs from border to border it is a fold.
+void TestNoise(Checks& check)
+{
+  for (bool within : { false, true })
+  {
+    auto sheet = within ? MakeGrid(6, 6, false, false) : MakeGrid(3, 2, false, false);
+    for (vtkIdType i = 0; i < sheet->GetNumberOfPoints(); ++i)
+    {
+      const vtkIdType columns = within ? 6 : 2;
+      const double x = static_cast<double>(i / columns);
+      const double y = static_cast<double>(i % columns);
+      const bool raised = within ? (i == 2 * 6 + 2 || i == 2 * 6 + 3) : i / 2 == 1;
+      sheet->GetPoints()->SetPoint(i, x, y, raised ? (within ? 0.6 : 2.0) : 0.0);
+    }
+    vtkNew<vtkNPRCreases> creases;
+    creases->SetAngle(60.0);
+    vtkNew<vtkNPRFeatureLines> lines;
+    lines->AddDefinition(creases);
+    lines->SetInputData(sheet);
+    lines->Update();
+    check(lines->GetOutput()->GetNumberOfLines() == (within ? 0 : 1),
+      "a lone sharp edge is left out, a fold is kept",
+      static_cast<double>(lines->GetOutput()->GetNumberOfLines()));
+    creases->SetLeastEdges(1.0);
+    lines->Update();
+    check(lines->GetOutput()->GetNumberOfLines() == 1, "each sharp edge is kept when asked for",
+      static_cast<double>(lines->GetOutput()->GetNumberOfLines()));
+  }
+}
+
 // A tube of which both ends are open; where it is cut along its side, the points are split and
 // welded.
 vtkSmartPointer<vtkPolyData> MakeTube(int n, bool cut)
@@ -122,6 +152,7 @@ int TestEdgeLines(int, char*[])
   TestCube(true, check);
   TestCube(false, check);
   TestAngle(check);
+  TestNoise(check);
   TestTube(check);
   return check.Result();
 }
