@@ -1,0 +1,435 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprSurfaceRefinement.h"
+
+#include "nprSurfaceNormals.h"
+
+#include <vtkSMPTools.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace npr
+{
+namespace
+{
+using Index = TriangleMesh::Index;
+using Triangle = TriangleMesh::Triangle;
+using Eigen::Vector3d;
+
+constexpr double SmallestCosine = 0.5;    // normals that differ by more than 60 degrees: no curve
+constexpr double LargestMove = 0.2;       // of the edge's length; a semicircle would need 0.5
+constexpr double FlatCosine = 0.9999;     // less than 0.8 degrees from end to end
+constexpr double FlatSlope = 0.01;        // between a normal and the plane across the edge
+constexpr int MaximumNumberOfPasses = 12; // each halves the edges
+
+/// Edges that are copies of one, where the preparation has split the surface.
+using Copies = std::vector<Index>;
+
+//------------------------------------------------------------------------------
+/// One edge with its two normals.
+struct Edge
+{
+  Vector3d Chord;
+  Vector3d N0;
+  Vector3d N1;
+  double Length;
+
+  bool IsCurve() const { return this->Length > 0.0 && this->N0.dot(this->N1) > SmallestCosine; }
+  bool IsFlat() const
+  {
+    return this->N0.dot(this->N1) > FlatCosine &&
+      std::abs(this->N0.dot(this->Chord)) < FlatSlope * this->Length &&
+      std::abs(this->N1.dot(this->Chord)) < FlatSlope * this->Length;
+  }
+  /// From the middle of the chord to the curve.
+  Vector3d GetMove() const
+  {
+    if (!this->IsCurve())
+    {
+      return Vector3d::Zero();
+    }
+    // At an end whose tangent leaves the chord at the angle a, half a circle's sagitta is
+    // length / 4 * tan(a / 2); for small angles it is the w / 8 of the PN rule.
+    const auto half = [this](double w)
+    {
+      const double sine = std::max(-1.0, std::min(1.0, w / this->Length));
+      return 0.5 * this->Length * std::tan(0.5 * std::asin(sine));
+    };
+    return -(half(this->Chord.dot(this->N0)) * this->N0 -
+             half(this->Chord.dot(this->N1)) * this->N1) /
+      (this->N0 + this->N1).norm();
+  }
+  /// The normal in the middle, by the quadratic rule of PN triangles.
+  Vector3d GetMiddleNormal() const
+  {
+    const Vector3d sum = this->N0 + this->N1;
+    if (!this->IsCurve())
+    {
+      return sum.norm() > 1e-3 ? Vector3d(sum.normalized()) : this->N0;
+    }
+    const double v = 2.0 * this->Chord.dot(sum) / (this->Length * this->Length);
+    const Vector3d middle = (sum - v * this->Chord).normalized();
+    return (0.5 * sum + middle).normalized();
+  }
+};
+
+//------------------------------------------------------------------------------
+/// One pass over the whole surface.
+class Pass
+{
+public:
+  Pass(RefinedSurface& surface) : Surface(surface), Mesh(surface.Points, surface.Triangles)
+  {
+    this->Mesh.BuildEdges();
+    const Index size = this->Mesh.GetNumberOfEdges();
+    this->Counts.resize(size);
+    this->Lengths.resize(size);
+    this->IsMarked.assign(size, 0);
+    vtkSMPTools::For(0, size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const auto ends = this->Mesh.GetEdge(static_cast<Index>(i));
+          this->Counts[i] = this->Mesh.CountTrianglesAtEdge(ends[0], ends[1]);
+          this->Lengths[i] = this->GetEdge(static_cast<Index>(i)).Length;
+        }
+      });
+    this->FindCopies();
+  }
+
+  void MarkAll() { std::fill(this->IsMarked.begin(), this->IsMarked.end(), 1); }
+
+  void MarkCurvedEdges(double maximumLength)
+  {
+    vtkSMPTools::For(0, this->Mesh.GetNumberOfEdges(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          this->IsMarked[i] =
+            this->Lengths[i] > maximumLength && !this->GetEdge(static_cast<Index>(i)).IsFlat();
+        }
+      });
+    for (const Copies& copies : this->AllCopies)
+    {
+      const bool any = std::any_of(
+        copies.begin(), copies.end(), [this](Index edge) { return this->IsMarked[edge]; });
+      for (Index edge : copies)
+      {
+        this->IsMarked[edge] = any;
+      }
+    }
+  }
+
+  /// Takes marks from the shortest edges until the surface will have no more triangles.
+  void LimitNumberOfTriangles(vtkIdType maximum)
+  {
+    if (this->GetNumberOfTriangles() <= maximum)
+    {
+      return;
+    }
+    std::vector<std::pair<double, int>> marked;
+    for (std::size_t i = 0; i < this->IsMarked.size(); ++i)
+    {
+      if (this->IsMarked[i])
+      {
+        marked.emplace_back(this->Lengths[i], this->Counts[i]);
+      }
+    }
+    std::sort(marked.begin(), marked.end(), std::greater<>());
+    vtkIdType total = this->Mesh.GetNumberOfTriangles();
+    double limit = 0.0;
+    for (const auto& edge : marked)
+    {
+      total += edge.second;
+      if (total > maximum)
+      {
+        limit = edge.first;
+        break;
+      }
+    }
+    for (std::size_t i = 0; i < this->IsMarked.size(); ++i)
+    {
+      // Copies of an edge have the same length, so they stay together.
+      this->IsMarked[i] = this->IsMarked[i] && this->Lengths[i] > limit;
+    }
+  }
+
+  bool HasMarks() const
+  {
+    return std::any_of(
+      this->IsMarked.begin(), this->IsMarked.end(), [](unsigned char mark) { return mark != 0; });
+  }
+
+  /// How many there will be: a marked edge parts each of its triangles once more.
+  vtkIdType GetNumberOfTriangles() const
+  {
+    vtkIdType total = this->Mesh.GetNumberOfTriangles();
+    for (std::size_t i = 0; i < this->IsMarked.size(); ++i)
+    {
+      total += this->IsMarked[i] ? this->Counts[i] : 0;
+    }
+    return total;
+  }
+
+  void Split()
+  {
+    this->AddMidpoints();
+    this->SplitTriangles();
+  }
+
+private:
+  Edge GetEdge(Index index) const
+  {
+    const auto ends = this->Mesh.GetEdge(index);
+    Edge edge;
+    edge.Chord = (this->Mesh.GetPoint(ends[1]) - this->Mesh.GetPoint(ends[0])).cast<double>();
+    edge.N0 = this->Surface.Normals[ends[0]].cast<double>();
+    edge.N1 = this->Surface.Normals[ends[1]].cast<double>();
+    edge.Length = edge.Chord.norm();
+    return edge;
+  }
+
+  void FindCopies()
+  {
+    const std::vector<Index>& welded = this->Surface.WeldedPointIds;
+    std::vector<unsigned char> hasCopies(welded.size(), 0);
+    for (std::size_t i = 0; i < welded.size(); ++i)
+    {
+      if (welded[i] != static_cast<Index>(i))
+      {
+        hasCopies[i] = hasCopies[welded[i]] = 1;
+      }
+    }
+    std::vector<std::array<Index, 3>> keys;
+    for (Index i = 0; i < this->Mesh.GetNumberOfEdges(); ++i)
+    {
+      const auto ends = this->Mesh.GetEdge(i);
+      if (hasCopies[ends[0]] || hasCopies[ends[1]])
+      {
+        const auto sorted = std::minmax(welded[ends[0]], welded[ends[1]]);
+        keys.push_back({ sorted.first, sorted.second, i });
+      }
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 0; i < keys.size();)
+    {
+      Copies copies;
+      const std::array<Index, 3> key = keys[i];
+      for (; i < keys.size() && keys[i][0] == key[0] && keys[i][1] == key[1]; ++i)
+      {
+        copies.push_back(keys[i][2]);
+      }
+      if (copies.size() > 1)
+      {
+        this->AllCopies.push_back(std::move(copies));
+      }
+    }
+  }
+
+  /// The shortest move that has the offset of each copy along that copy's normal.
+  Vector3d GetCommonMove(const Copies& copies) const
+  {
+    Eigen::Matrix3d matrix = 1e-5 * Eigen::Matrix3d::Identity();
+    Vector3d right = Vector3d::Zero();
+    for (Index index : copies)
+    {
+      const Edge edge = this->GetEdge(index);
+      if (edge.IsCurve())
+      {
+        const Vector3d normal = (edge.N0 + edge.N1).normalized();
+        matrix += normal * normal.transpose();
+        right += edge.GetMove().dot(normal) * normal;
+      }
+    }
+    return matrix.inverse() * right;
+  }
+
+  void AddMidpoints()
+  {
+    RefinedSurface& surface = this->Surface;
+    const Index size = this->Mesh.GetNumberOfEdges();
+    const Index firstPoint = static_cast<Index>(surface.Points.size());
+    this->Midpoints.assign(size, -1);
+    std::vector<Index> edges;
+    for (Index i = 0; i < size; ++i)
+    {
+      if (this->IsMarked[i])
+      {
+        this->Midpoints[i] = firstPoint + static_cast<Index>(edges.size());
+        edges.push_back(i);
+      }
+    }
+    std::vector<Index> firstCopies(size, -1);
+    std::vector<Index> groups(size, -1);
+    for (std::size_t g = 0; g < this->AllCopies.size(); ++g)
+    {
+      for (Index edge : this->AllCopies[g])
+      {
+        firstCopies[edge] = this->AllCopies[g].front();
+        groups[edge] = static_cast<Index>(g);
+      }
+    }
+    const std::size_t total = firstPoint + edges.size();
+    const Index firstParent = static_cast<Index>(surface.Parents.size());
+    surface.Points.resize(total);
+    surface.Normals.resize(total);
+    surface.WeldedPointIds.resize(total);
+    surface.BorderPoints.resize(total);
+    surface.Parents.resize(firstParent + edges.size());
+    vtkSMPTools::For(0, static_cast<vtkIdType>(edges.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Index index = edges[i];
+          const Index point = firstPoint + static_cast<Index>(i);
+          const std::array<Index, 2> ends = this->Mesh.GetEdge(index);
+          const Edge edge = this->GetEdge(index);
+          // Copies of an edge need not run the same way, nor sum up to the same bits: the first
+          // does it for all.
+          const bool isCopy = groups[index] >= 0;
+          const std::array<Index, 2> base = isCopy ? this->Mesh.GetEdge(firstCopies[index]) : ends;
+          Vector3d move =
+            isCopy ? this->GetCommonMove(this->AllCopies[groups[index]]) : edge.GetMove();
+          const double longest = LargestMove * edge.Length;
+          if (move.norm() > longest)
+          {
+            move *= longest / move.norm();
+          }
+          const Vector3d middle = 0.5 *
+            (this->Mesh.GetPoint(base[0]).cast<double>() +
+              this->Mesh.GetPoint(base[1]).cast<double>());
+          surface.Points[point] = (middle + move).cast<float>();
+          surface.Normals[point] = edge.GetMiddleNormal().cast<float>();
+          surface.WeldedPointIds[point] = isCopy ? this->Midpoints[firstCopies[index]] : point;
+          surface.BorderPoints[point] = this->Counts[index] != 2;
+          surface.Parents[firstParent + i] = ends;
+        }
+      });
+    surface.LevelStarts.push_back(static_cast<Index>(surface.Parents.size()));
+  }
+
+  void SplitTriangles()
+  {
+    RefinedSurface& surface = this->Surface;
+    std::vector<Triangle> triangles;
+    std::vector<Index> sources;
+    const vtkIdType total = this->GetNumberOfTriangles();
+    triangles.reserve(total);
+    sources.reserve(total);
+    for (Index t = 0; t < this->Mesh.GetNumberOfTriangles(); ++t)
+    {
+      const Triangle& c = this->Mesh.GetTriangle(t);
+      std::array<Index, 3> m;
+      int count = 0;
+      for (int e = 0; e < 3; ++e)
+      {
+        m[e] = this->Midpoints[this->Mesh.FindEdge(c[e], c[(e + 1) % 3])];
+        count += m[e] >= 0;
+      }
+      const std::size_t first = triangles.size();
+      if (count == 0)
+      {
+        triangles.push_back(c);
+      }
+      else if (count == 3)
+      {
+        triangles.insert(triangles.end(),
+          { { c[0], m[0], m[2] }, { m[0], c[1], m[1] }, { m[2], m[1], c[2] },
+            { m[0], m[1], m[2] } });
+      }
+      else if (count == 1)
+      {
+        const int e = m[0] >= 0 ? 0 : (m[1] >= 0 ? 1 : 2);
+        const Index opposite = c[(e + 2) % 3];
+        triangles.insert(
+          triangles.end(), { { c[e], m[e], opposite }, { m[e], c[(e + 1) % 3], opposite } });
+      }
+      else
+      {
+        // Edge e is whole; the corner opposite it is cut off, and the rest parted by the shorter
+        // diagonal.
+        const int e = m[0] < 0 ? 0 : (m[1] < 0 ? 1 : 2);
+        const Index a = c[e];
+        const Index b = c[(e + 1) % 3];
+        const Index onB = m[(e + 1) % 3];
+        const Index onA = m[(e + 2) % 3];
+        triangles.push_back({ onA, onB, c[(e + 2) % 3] });
+        const auto distance = [&](Index p, Index q)
+        { return (surface.Points[p] - surface.Points[q]).cast<double>().squaredNorm(); };
+        if (distance(a, onB) <= distance(b, onA))
+        {
+          triangles.insert(triangles.end(), { { a, b, onB }, { a, onB, onA } });
+        }
+        else
+        {
+          triangles.insert(triangles.end(), { { a, b, onA }, { b, onB, onA } });
+        }
+      }
+      sources.insert(sources.end(), triangles.size() - first, surface.SourceTriangles[t]);
+    }
+    surface.Triangles.swap(triangles);
+    surface.SourceTriangles.swap(sources);
+  }
+
+  RefinedSurface& Surface;
+  TriangleMesh Mesh;
+  std::vector<int> Counts; // of triangles at the edges
+  std::vector<double> Lengths;
+  std::vector<unsigned char> IsMarked;
+  std::vector<Copies> AllCopies;
+  std::vector<Index> Midpoints; // of the edges, or -1
+};
+}
+
+//------------------------------------------------------------------------------
+RefinedSurface RefineSurface(const TriangleMesh& mesh, const Tuples<3>& normals,
+  const std::vector<Index>& weldedPointIds, const SurfaceRefinementOptions& options)
+{
+  RefinedSurface surface;
+  surface.Points = mesh.GetPoints();
+  surface.Normals = normals;
+  surface.Triangles = mesh.GetTriangles();
+  surface.WeldedPointIds = weldedPointIds;
+  surface.BorderPoints = ComputeBorderPoints(mesh);
+  surface.LevelStarts.push_back(0);
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    surface.SourceTriangles.push_back(t);
+  }
+  const bool isUniform = options.NumberOfLevels >= 0;
+  const int passes =
+    isUniform ? std::min(options.NumberOfLevels, MaximumNumberOfPasses) : MaximumNumberOfPasses;
+  for (int level = 0; level < passes; ++level)
+  {
+    Pass pass(surface);
+    if (isUniform)
+    {
+      pass.MarkAll();
+      if (pass.GetNumberOfTriangles() > options.MaximumNumberOfTriangles)
+      {
+        break;
+      }
+    }
+    else
+    {
+      pass.MarkCurvedEdges(options.MaximumEdgeLength);
+      pass.LimitNumberOfTriangles(options.MaximumNumberOfTriangles);
+    }
+    if (!pass.HasMarks())
+    {
+      break;
+    }
+    pass.Split();
+  }
+  return surface;
+}
+}

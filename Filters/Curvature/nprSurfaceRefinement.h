@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprSurfaceRefinement.h
+ * @brief Splits triangles so that a coarse mesh follows the smooth surface its normals describe.
+ */
+#ifndef nprSurfaceRefinement_h
+#define nprSurfaceRefinement_h
+
+#include "nprTriangleMesh.h"
+#include "nprTupleArrays.h"
+#include "vtkNPRFiltersCurvatureModule.h"
+
+#include <array>
+#include <vector>
+
+namespace npr
+{
+struct SurfaceRefinementOptions
+{
+  /// Passes that split every edge; negative: passes split the edges that are too long and not flat.
+  int NumberOfLevels = -1;
+  double MaximumEdgeLength = 0.0; // length
+  vtkIdType MaximumNumberOfTriangles = 2000000;
+};
+
+/// The points of the coarse mesh come first, then the midpoints, level by level.
+struct RefinedSurface
+{
+  std::vector<TriangleMesh::Vector> Points; ///< relative to the mesh's origin
+  Tuples<3> Normals;
+  std::vector<TriangleMesh::Triangle> Triangles;
+  std::vector<TriangleMesh::Index> SourceTriangles; ///< for each triangle, that of the coarse mesh
+  std::vector<TriangleMesh::Index> WeldedPointIds;
+  std::vector<unsigned char> BorderPoints;
+  /// For each midpoint the ends of its edge: points of the coarse mesh or of earlier levels.
+  std::vector<std::array<TriangleMesh::Index, 2>> Parents;
+  /// The first midpoint of each level, as an index into Parents, and their number at the end.
+  std::vector<TriangleMesh::Index> LevelStarts;
+};
+
+/**
+ * Refines a mesh by midpoints of its edges.
+ *
+ * A midpoint is moved from the chord to the curve that leaves both ends at right angles to their
+ * normals: the edge rule of A. Vlachos et al., "Curved PN Triangles", I3D 2001, with each end's
+ * offset scaled so that it is exact not only for parabolas but for circles. On edges that the
+ * preparation has split, all copies move alike: by the shortest way that has the offset of each
+ * side along the normal of that side, so that the rim of a cylinder becomes round while its cap
+ * stays flat. No move is longer than a fifth of the edge, and there is none where the normals
+ * differ by more than 60 degrees.
+ *
+ * Which edges are split depends on the edge alone and is the same for all copies of it, and a
+ * triangle is parted by how many of its edges are: so there are no cracks.
+ *
+ * @param normals unit normals
+ * @param weldedPointIds for each point its first copy
+ */
+VTKNPRFILTERSCURVATURE_EXPORT RefinedSurface RefineSurface(const TriangleMesh& mesh,
+  const Tuples<3>& normals, const std::vector<TriangleMesh::Index>& weldedPointIds,
+  const SurfaceRefinementOptions& options);
+}
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRSurfaceRefinement
+ * @brief Makes a coarse triangle mesh look smooth.
+ *
+ * Triangles are parted at the midpoints of their edges, and the midpoints moved onto the curves
+ * that the normals describe: so outlines become round, creases that vtkNPRSurfacePreparation has
+ * split stay sharp (and become round along their length), and flat parts stay flat, and stay
+ * coarse. See npr::RefineSurface for the rules and their source.
+ *
+ * The input should come from vtkNPRSurfacePreparation and vtkNPRSurfaceNormals; without normals
+ * they are computed. Curvature is best estimated before (vtkNPRCurvatureTensor on the coarse mesh),
+ * its derivatives after the refinement. Points of the input stay where and which they are;
+ * midpoints follow. Point arrays are interpolated linearly (integers other than bytes taken from
+ * one end); the tensor is turned into the tangent planes of the new points, and what follows from
+ * it computed anew. Cell arrays pass to all parts of a cell.
+ *
+ * @sa vtkNPRSurfacePreparation vtkNPRSurfaceNormals vtkNPRCurvatureTensor
+ */
+#ifndef vtkNPRSurfaceRefinement_h
+#define vtkNPRSurfaceRefinement_h
+
+#include "vtkNPRFiltersCurvatureModule.h"
+#include <vtkPolyDataAlgorithm.h>
+
+class VTKNPRFILTERSCURVATURE_EXPORT vtkNPRSurfaceRefinement : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkNPRSurfaceRefinement* New();
+  vtkTypeMacro(vtkNPRSurfaceRefinement, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// How long an edge that is not flat may be, as a fraction of the surface's length scale. Default
+  /// is 0.02. Ignored if NumberOfLevels is set.
+  vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /// The refinement ends where it would make more; of edges that are too long, the longest are
+  /// split first. Default is 2,000,000.
+  vtkSetClampMacro(MaximumNumberOfTriangles, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfTriangles, vtkIdType);
+  ///@}
+
+  ///@{
+  /// If not negative, every triangle is parted into four this many times (up to 12), flat or not,
+  /// unless that makes too many. Default is -1.
+  vtkSetClampMacro(NumberOfLevels, int, -1, 12);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+protected:
+  vtkNPRSurfaceRefinement();
+  ~vtkNPRSurfaceRefinement() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkNPRSurfaceRefinement(const vtkNPRSurfaceRefinement&) = delete;
+  void operator=(const vtkNPRSurfaceRefinement&) = delete;
+
+  double MaximumEdgeLength = 0.02;
+  vtkIdType MaximumNumberOfTriangles = 2000000;
+  int NumberOfLevels = -1;
+};
+
+#endif
