@@ -91,6 +91,7 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes)
           }
           record[i].Width = GetFactor(widths, id);
           record[i].Strength = GetFactor(strengths, id);
+          record[i].Unused[0] = record[i].Unused[1] = 0.0f;
           record[i].Connected = finite && i + 1 < size ? 1.0f : 0.0f;
           if (!finite && i > 0)
           {

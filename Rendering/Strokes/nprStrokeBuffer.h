@@ -10,13 +10,14 @@ class vtkPolyData;
 
 namespace npr
 {
-/// One point of a stroke as the vertex shader reads it.
+/// One point of a stroke as the vertex shader fetches it: two texels of four floats.
 struct StrokeRecord
 {
   float Position[3]; // relative to StrokeRecords::Origin
   float Width;       // 1 without a Width array
   float Strength;    // 1 without a Strength array
   float Connected;   // 1 if a segment runs from here to the next record
+  float Unused[2];
 };
 
 struct StrokeRecords

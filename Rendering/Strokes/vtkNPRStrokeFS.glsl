@@ -9,8 +9,10 @@
 //VTK::Output::Dec
 
 flat in vec4 nprAxisVSOut;
+flat in float nprSizeVSOut;
 flat in vec2 nprDepthVSOut;
 flat in vec4 nprInkVSOut;
+in vec2 nprPlaceVSOut;
 
 uniform int nprDepthTest;
 uniform sampler2D nprDepthTexture;
@@ -21,12 +23,36 @@ uniform vec2 nprTolerance;         // pixels, world units
 uniform float nprVisibilityRadius; // pixels
 uniform float nprHiddenOpacity;
 
+const vec2 Ring[8] = vec2[8](vec2(1.0, 0.0), vec2(0.0, 1.0), vec2(-1.0, 0.0), vec2(0.0, -1.0),
+  vec2(0.7071, 0.7071), vec2(-0.7071, 0.7071), vec2(-0.7071, -0.7071), vec2(0.7071, -0.7071));
+
 // Distance from the plane of the eye, from a depth in normalised device coordinates; for any
-// projection.
+// projection. And back.
 float viewDepth(float z)
 {
   return (z * nprDepthProjection.w - nprDepthProjection.y) /
     (z * nprDepthProjection.z - nprDepthProjection.x);
+}
+float deviceDepth(float depth)
+{
+  return (nprDepthProjection.y - nprDepthProjection.x * depth) /
+    (nprDepthProjection.w - nprDepthProjection.z * depth);
+}
+
+float surface(vec2 pixel)
+{
+  ivec2 texel = ivec2(clamp(floor(pixel), vec2(0.0), nprViewportSize - 1.0));
+  return texelFetch(nprDepthTexture, texel, 0).r;
+}
+
+float farthestAround(vec2 pixel, float radius)
+{
+  float farthest = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    farthest = max(farthest, surface(pixel + radius * Ring[i]));
+  }
+  return farthest;
 }
 
 // 1 where the surface around the pixel is not in front of the axis, with the farthest surface of
@@ -37,29 +63,24 @@ float visibility(vec2 pixel, float z)
   float depth = viewDepth(z);
   float pixelSize = abs(nprDepthProjection.w - nprDepthProjection.z * depth) * nprPixelScale;
   float tolerance = nprTolerance.x * pixelSize + nprTolerance.y;
-  float farthest = -1e30;
-  for (int i = 0; i < 17; ++i)
+  float nearest = depth - tolerance;
+  if (nprDepthProjection.z != 0.0)
   {
-    // The centre, eight pixels around it, eight at the radius.
-    vec2 offset = vec2(0.0);
-    if (i > 0)
-    {
-      float angle = 0.78539816 * float(i - 1);
-      offset = (i < 9 ? 1.0 : nprVisibilityRadius) * vec2(cos(angle), sin(angle));
-    }
-    ivec2 texel = ivec2(clamp(floor(pixel + offset), vec2(0.0), nprViewportSize - 1.0));
-    float surface = texelFetch(nprDepthTexture, texel, 0).r;
-    if (surface >= 1.0)
-    {
-      return 1.0;
-    }
-    farthest = max(farthest, viewDepth(2.0 * surface - 1.0));
-    if (depth <= farthest + tolerance)
-    {
-      return 1.0;
-    }
+    nearest = max(nearest, 1e-3 * depth); // in front of the eye
   }
-  return 1.0 - smoothstep(tolerance, 1.5 * tolerance, depth - farthest);
+  float limit = 0.5 * deviceDepth(nearest) + 0.5;
+  float farthest = surface(pixel);
+  if (farthest >= limit)
+  {
+    return 1.0;
+  }
+  farthest = max(farthest, farthestAround(pixel, 1.0));
+  if (farthest >= limit)
+  {
+    return 1.0;
+  }
+  farthest = max(farthest, farthestAround(pixel, nprVisibilityRadius));
+  return 1.0 - smoothstep(tolerance, 1.5 * tolerance, depth - viewDepth(2.0 * farthest - 1.0));
 }
 
 // Area of the unit pixel within `distance` of its centre along a direction (a half-plane). The
@@ -76,30 +97,26 @@ float halfPlaneCoverage(float distance, vec2 direction)
 
 void main()
 {
-  vec2 start = nprAxisVSOut.xy;
-  vec2 axis = nprAxisVSOut.zw - start;
-  float size = length(axis);
-  float t =
-    clamp(dot(gl_FragCoord.xy - start, axis) / max(size * size, 1e-12), 0.0, 1.0);
-  vec2 nearest = start + t * axis;
-  vec2 across = gl_FragCoord.xy - nearest;
-  float distance = length(across);
+  vec2 axis = nprAxisVSOut.zw;
+  float along = clamp(nprPlaceVSOut.x, 0.0, nprSizeVSOut);
+  vec2 away = vec2(nprPlaceVSOut.x - along, nprPlaceVSOut.y);
+  float distance = length(away);
+  float t = along / max(nprSizeVSOut, 1e-6);
   float radius = mix(nprInkVSOut.x, nprInkVSOut.z, t);
-  // The direction vanishes on the axis itself; there the axis has it.
-  vec2 direction = distance > 1e-3 ? across / distance
-    : size > 1e-3                  ? vec2(-axis.y, axis.x) / size
-                                   : vec2(1.0, 0.0);
-  float coverage = halfPlaneCoverage(radius - distance, direction) -
-    halfPlaneCoverage(-radius - distance, direction);
-  float opacity = coverage * mix(nprInkVSOut.y, nprInkVSOut.w, t);
-  if (opacity <= 0.0)
+  if (distance >= radius + 0.71)
   {
     discard;
   }
+  // The direction vanishes on the axis itself; there any across it will do.
+  away = distance > 1e-3 ? away / distance : vec2(0.0, 1.0);
+  vec2 direction = vec2(away.x * axis.x - away.y * axis.y, away.x * axis.y + away.y * axis.x);
+  float coverage = halfPlaneCoverage(radius - distance, direction) -
+    halfPlaneCoverage(-radius - distance, direction);
+  float opacity = coverage * mix(nprInkVSOut.y, nprInkVSOut.w, t);
   if (nprDepthTest != 0)
   {
-    opacity *=
-      mix(nprHiddenOpacity, 1.0, visibility(nearest, mix(nprDepthVSOut.x, nprDepthVSOut.y, t)));
+    opacity *= mix(nprHiddenOpacity, 1.0,
+      visibility(nprAxisVSOut.xy + along * axis, mix(nprDepthVSOut.x, nprDepthVSOut.y, t)));
   }
   gl_FragData[0] = vec4(opacity);
 }

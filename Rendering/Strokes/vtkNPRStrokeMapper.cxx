@@ -105,7 +105,7 @@ public:
     this->Layer.ReleaseGraphicsResources(this->Window);
     this->VertexArray->ReleaseGraphicsResources();
     this->Buffer->ReleaseGraphicsResources();
-    this->VertexArrayProgram = nullptr;
+    this->BufferTexture->ReleaseGraphicsResources(this->Window);
     this->NumberOfSegments = 0;
     this->UploadTime = vtkTimeStamp();
     this->Window->PopContext();
@@ -125,33 +125,14 @@ public:
     this->NumberOfSegments = std::max<std::ptrdiff_t>(records.Records.size(), 1) - 1;
     if (this->NumberOfSegments > 0)
     {
-      this->Buffer->Upload(records.Records, vtkOpenGLBufferObject::ArrayBuffer);
+      const std::size_t size = records.Records.size() * (sizeof(npr::StrokeRecord) / sizeof(float));
+      this->Buffer->Upload(records.Records[0].Position, size, vtkOpenGLBufferObject::TextureBuffer);
+      this->BufferTexture->SetContext(this->Window);
+      this->BufferTexture->CreateTextureBuffer(
+        static_cast<unsigned int>(size / 4), 4, VTK_FLOAT, this->Buffer);
     }
     this->UploadedInput = input;
     this->UploadTime.Modified();
-  }
-
-  bool BindVertices(vtkShaderProgram* program)
-  {
-    if (this->VertexArrayProgram != program)
-    {
-      this->VertexArray->ReleaseGraphicsResources();
-      this->VertexArray->Bind();
-      const std::size_t stride = sizeof(npr::StrokeRecord);
-      const int ink = static_cast<int>(offsetof(npr::StrokeRecord, Width));
-      const int next = static_cast<int>(stride);
-      auto add = [&](const char* name, int offset)
-      {
-        return this->VertexArray->AddAttributeArrayWithDivisor(
-          program, this->Buffer, name, offset, stride, VTK_FLOAT, 3, false, 1, false);
-      };
-      const bool added = add("nprStart", 0) && add("nprStartInk", ink) && add("nprEnd", next) &&
-        add("nprEndInk", next + ink);
-      this->VertexArrayProgram = added ? program : nullptr;
-      return added;
-    }
-    this->VertexArray->Bind();
-    return true;
   }
 
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -160,7 +141,7 @@ public:
   std::unique_ptr<vtkOpenGLQuadHelper> Composite;
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  vtkShaderProgram* VertexArrayProgram = nullptr;
+  vtkNew<vtkTextureObject> BufferTexture;
 
   std::ptrdiff_t NumberOfSegments = 0;
   std::array<double, 3> Origin = { 0, 0, 0 };
@@ -309,17 +290,20 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     program->SetUniform2f("nprTolerance", tolerance);
     program->SetUniformf("nprVisibilityRadius", static_cast<float>(this->VisibilityRadius));
     program->SetUniformf("nprHiddenOpacity", static_cast<float>(this->HiddenOpacity));
+    graphics.BufferTexture->Activate();
+    const int recordsUnit = graphics.BufferTexture->GetTextureUnit();
+    program->SetUniformi("nprRecords", recordsUnit);
     if (depthTest)
     {
       graphics.Layer.GetDepth()->Activate();
-      program->SetUniformi("nprDepthTexture", graphics.Layer.GetDepth()->GetTextureUnit());
     }
-    if (graphics.BindVertices(program))
-    {
-      glDrawArraysInstanced(
-        GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(graphics.NumberOfSegments));
-    }
+    // Samplers of two kinds must not share a unit, even where one is not used.
+    program->SetUniformi("nprDepthTexture",
+      depthTest ? graphics.Layer.GetDepth()->GetTextureUnit() : recordsUnit + 1);
+    graphics.VertexArray->Bind(); // OpenGL wants one, even without attributes
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * graphics.NumberOfSegments));
     graphics.VertexArray->Release();
+    graphics.BufferTexture->Deactivate();
     if (depthTest)
     {
       graphics.Layer.GetDepth()->Deactivate();

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One instance is one segment of a stroke; its four vertices span the quad around the capsule that
-// the fragment shader fills. Everything after the clipping is in pixels of the viewport.
+// Six vertices are one segment of a stroke: the two triangles of the quad around the capsule that
+// the fragment shader fills. The segment's ends are fetched by the number of the vertex, for software
+// renderers draw small instances slowly. Everything after the clipping is in pixels of the viewport.
 
-in vec3 nprStart;     // model coordinates, relative to the origin of the buffer
-in vec3 nprStartInk;  // width, strength, 1 if a segment starts here
-in vec3 nprEnd;
-in vec3 nprEndInk;
+// Two texels a point: position (model coordinates, relative to the origin of the buffer) and width;
+// strength and 1 if a segment starts here.
+uniform samplerBuffer nprRecords;
 
 uniform mat4 nprMCDCMatrix;
 uniform vec2 nprViewportSize;          // pixels
@@ -18,9 +18,11 @@ uniform float nprMinimumWidthFactor;   // of the width at strength 0
 uniform float nprMinimumOpacityFactor; // of the opacity at strength 0
 uniform float nprGuard;                // pixels around the viewport that ink may come from
 
-flat out vec4 nprAxisVSOut;  // both ends, pixels
+flat out vec4 nprAxisVSOut;  // the first end, pixels; the unit direction to the other
+flat out float nprSizeVSOut; // distance of the ends, pixels
 flat out vec2 nprDepthVSOut; // both ends, normalised device coordinates
 flat out vec4 nprInkVSOut;   // both ends: radius in pixels, opacity
+out vec2 nprPlaceVSOut;      // from the first end along and across the axis, pixels
 
 // Keeps the part [range.x, range.y] of the segment on the positive side of a plane.
 void clip(float start, float end, inout vec2 range)
@@ -40,21 +42,28 @@ void clip(float start, float end, inout vec2 range)
 }
 
 // Radius and opacity.
-vec2 ink(vec3 record)
+vec2 ink(float recordWidth, float strength)
 {
-  float strength = clamp(record.y, 0.0, 1.0);
+  strength = clamp(strength, 0.0, 1.0);
   float width = nprWidth * mix(nprMinimumWidthFactor, 1.0, strength);
   if (nprUseWidths != 0)
   {
-    width *= record.x;
+    width *= recordWidth;
   }
   return vec2(0.5 * width, mix(nprMinimumOpacityFactor, 1.0, strength));
 }
 
 void main()
 {
-  vec4 start = nprMCDCMatrix * vec4(nprStart, 1.0);
-  vec4 end = nprMCDCMatrix * vec4(nprEnd, 1.0);
+  int segment = gl_VertexID / 6;
+  int corner = gl_VertexID - 6 * segment;
+  corner = corner < 3 ? corner : 6 - corner; // 0 1 2, 3 2 1
+  vec4 startPlace = texelFetch(nprRecords, 2 * segment);
+  vec4 startMore = texelFetch(nprRecords, 2 * segment + 1);
+  vec4 endPlace = texelFetch(nprRecords, 2 * segment + 2);
+  vec4 endMore = texelFetch(nprRecords, 2 * segment + 3);
+  vec4 start = nprMCDCMatrix * vec4(startPlace.xyz, 1.0);
+  vec4 end = nprMCDCMatrix * vec4(endPlace.xyz, 1.0);
   vec2 reach = 1.0 + 2.0 * nprGuard / nprViewportSize;
   vec2 range = vec2(0.0, 1.0);
   clip(start.w + start.z, end.w + end.z, range);
@@ -65,10 +74,12 @@ void main()
   clip(reach.y * start.w - start.y, reach.y * end.w - end.y, range);
 
   nprAxisVSOut = vec4(0.0);
+  nprSizeVSOut = 0.0;
+  nprPlaceVSOut = vec2(0.0);
   nprDepthVSOut = vec2(0.0);
   nprInkVSOut = vec4(0.0);
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-  if (nprStartInk.z == 0.0 || range.x > range.y)
+  if (startMore.y == 0.0 || range.x > range.y)
   {
     return;
   }
@@ -79,22 +90,24 @@ void main()
   {
     return;
   }
-  vec2 startInk = ink(nprStartInk);
-  vec2 endInk = ink(nprEndInk);
+  vec2 startInk = ink(startPlace.w, startMore.x);
+  vec2 endInk = ink(endPlace.w, endMore.x);
   vec2 inkA = mix(startInk, endInk, range.x);
   vec2 inkB = mix(startInk, endInk, range.y);
   vec2 pixelA = (0.5 * a.xy / a.w + 0.5) * nprViewportSize;
   vec2 pixelB = (0.5 * b.xy / b.w + 0.5) * nprViewportSize;
 
-  float extent = max(inkA.x, inkB.x) + 1.0;
+  float extent = max(inkA.x, inkB.x) + 0.71; // and half a pixel's diagonal
   vec2 axis = pixelB - pixelA;
   float size = length(axis);
   axis = size > 1e-6 ? axis / size : vec2(1.0, 0.0);
-  vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
-  vec2 position = (corner.x < 0.0 ? pixelA : pixelB) +
-    extent * (corner.x * axis + corner.y * vec2(-axis.y, axis.x));
+  vec2 side = vec2((corner & 1) == 0 ? -1.0 : 1.0, (corner & 2) == 0 ? -1.0 : 1.0);
+  vec2 position = (side.x < 0.0 ? pixelA : pixelB) +
+    extent * (side.x * axis + side.y * vec2(-axis.y, axis.x));
 
-  nprAxisVSOut = vec4(pixelA, pixelB);
+  nprAxisVSOut = vec4(pixelA, axis);
+  nprSizeVSOut = size;
+  nprPlaceVSOut = vec2(side.x < 0.0 ? -extent : size + extent, side.y * extent);
   nprDepthVSOut = vec2(a.z / a.w, b.z / b.w);
   nprInkVSOut = vec4(inkA, inkB);
   gl_Position = vec4(2.0 * position / nprViewportSize - 1.0, 0.0, 1.0);
