@@ -42,7 +42,7 @@ public:
   /// The name of a kind, such as "contours"; null when the index is out of range.
   static const char* GetLineName(int index);
   /// A new definition of the named kind, which the caller owns; null when there is none.
-  static vtkNPRLineDefinition* NewFromName(const char* name) VTK_NEWINSTANCE;
+  static VTK_NEWINSTANCE vtkNPRLineDefinition* NewFromName(const char* name);
   ///@}
 
   /// The name of this kind of line, in lower case; it stands in LineTypeNames of the output.
