@@ -16,16 +16,17 @@ namespace npr
 namespace names
 {
 // Point arrays of surfaces.
-inline constexpr const char* Normals = "Normals";                           // 3, unit, outward
-inline constexpr const char* CurvatureTensor = "CurvatureTensor";           // 6, XX YY ZZ XY YZ XZ; 1/length
-inline constexpr const char* PrincipalCurvature1 = "PrincipalCurvature1";   // 1, 1/length
-inline constexpr const char* PrincipalCurvature2 = "PrincipalCurvature2";   // 1, 1/length
-inline constexpr const char* PrincipalDirection1 = "PrincipalDirection1";   // 3, unit
-inline constexpr const char* PrincipalDirection2 = "PrincipalDirection2";   // 3, unit
-inline constexpr const char* MeanCurvature = "MeanCurvature";               // 1, 1/length
-inline constexpr const char* GaussianCurvature = "GaussianCurvature";       // 1, 1/length^2
-inline constexpr const char* CurvatureDerivatives = "CurvatureDerivatives"; // 4, P Q S T; 1/length^2
-inline constexpr const char* BorderPoints = "BorderPoints";                 // 1, 1 on a border, else 0
+inline constexpr const char* Normals = "Normals";                 // 3, unit, outward
+inline constexpr const char* CurvatureTensor = "CurvatureTensor"; // 6, XX YY ZZ XY YZ XZ; 1/length
+inline constexpr const char* PrincipalCurvature1 = "PrincipalCurvature1"; // 1, 1/length
+inline constexpr const char* PrincipalCurvature2 = "PrincipalCurvature2"; // 1, 1/length
+inline constexpr const char* PrincipalDirection1 = "PrincipalDirection1"; // 3, unit
+inline constexpr const char* PrincipalDirection2 = "PrincipalDirection2"; // 3, unit
+inline constexpr const char* MeanCurvature = "MeanCurvature";             // 1, 1/length
+inline constexpr const char* GaussianCurvature = "GaussianCurvature";     // 1, 1/length^2
+inline constexpr const char* CurvatureDerivatives =
+  "CurvatureDerivatives";                                   // 4, P Q S T; 1/length^2
+inline constexpr const char* BorderPoints = "BorderPoints"; // 1, 1 on a border, else 0
 /// The point of the welded surface that a point is a copy of, where the preparation split a crease.
 inline constexpr const char* WeldedPointIds = "WeldedPointIds"; // 1
 
@@ -33,12 +34,12 @@ inline constexpr const char* WeldedPointIds = "WeldedPointIds"; // 1
 inline constexpr const char* LengthScale = "LengthScale"; // 1 tuple; length
 
 // Arrays of lines and strokes.
-inline constexpr const char* LineType = "LineType";         // cells, 1, index into LineTypeNames
+inline constexpr const char* LineType = "LineType";           // cells, 1, index into LineTypeNames
 inline constexpr const char* LineTypeNames = "LineTypeNames"; // field data, strings
-inline constexpr const char* Strength = "Strength";         // points, 1, in [0, 1]
-inline constexpr const char* ArcLength = "ArcLength";       // points, 1, length
-inline constexpr const char* Visibility = "Visibility";     // points, 1, in [0, 1]
-inline constexpr const char* Width = "Width";               // points, 1, pixels
+inline constexpr const char* Strength = "Strength";           // points, 1, in [0, 1]
+inline constexpr const char* ArcLength = "ArcLength";         // points, 1, length
+inline constexpr const char* Visibility = "Visibility";       // points, 1, in [0, 1]
+inline constexpr const char* Width = "Width";                 // points, 1, pixels
 }
 }
 

@@ -15,7 +15,7 @@
 #define VTK_ABI_NAMESPACE_END
 #endif
 
-#define NPR_VTK_AT_LEAST(major, minor)                                                             \
+#define NPR_VTK_AT_LEAST(major, minor) \
   (VTK_MAJOR_VERSION > (major) || (VTK_MAJOR_VERSION == (major) && VTK_MINOR_VERSION >= (minor)))
 
 #endif

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 vtkStandardNewMacro(vtkNPRLineSelection);
 
 namespace
