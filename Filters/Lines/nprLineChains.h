@@ -7,32 +7,16 @@
 #ifndef nprLineChains_h
 #define nprLineChains_h
 
+#include "nprLineSegments.h"
 #include "vtkNPRFiltersLinesModule.h"
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace npr
 {
-/// A point of a line.
-struct LineVertex
-{
-  Eigen::Vector3d Position; ///< relative to the origin of the surface
-  Eigen::Vector3f Normal;
-  float Strength;
-};
-
-/// A piece of a line in one triangle or along one edge. Pieces join where their keys agree.
-struct LineSegment
-{
-  std::array<std::int64_t, 2> Keys;
-  std::array<LineVertex, 2> Vertices;
-};
-
 /// Polylines over one list of vertices; chain i has those from Offsets[i] to Offsets[i + 1]. A
 /// closed chain does not repeat its first vertex.
 struct LineChains

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -59,37 +58,6 @@ float Smooth(float x)
 {
   x = std::min(std::max(x, 0.0f), 1.0f);
   return x * x * (3.0f - 2.0f * x);
-}
-
-// The same segment between two vertices may come from the triangles on both of its sides, or from a
-// triangle and a seam: one is kept.
-void RemoveDoubles(std::vector<LineSegment>& segments, std::int64_t firstVertexKey)
-{
-  std::vector<char> drop(segments.size(), 0);
-  std::vector<std::pair<std::array<std::int64_t, 2>, std::size_t>> edges;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    auto keys = segments[i].Keys;
-    if (keys[0] >= firstVertexKey && keys[1] >= firstVertexKey)
-    {
-      std::sort(keys.begin(), keys.end());
-      edges.emplace_back(keys, i);
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 1; i < edges.size(); ++i)
-  {
-    drop[edges[i].second] |= edges[i].first == edges[i - 1].first;
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    if (!drop[i])
-    {
-      segments[kept++] = segments[i];
-    }
-  }
-  segments.resize(kept);
 }
 }
 
@@ -163,7 +131,8 @@ std::vector<LineSegment> LineExtractor::Extract(const LineView& view) const
   }
   if (this->Definition.GetLeastRow() > 1.0)
   {
-    this->DropShortRows(edgeSegments);
+    DropShortRows(
+      edgeSegments, this->Surface, this->FirstVertexKey, this->Definition.GetLeastRow());
   }
   segments.insert(segments.end(), edgeSegments.begin(), edgeSegments.end());
   RemoveDoubles(segments, this->FirstVertexKey);
@@ -467,58 +436,5 @@ void LineExtractor::ExtractEdges(const EdgeList& edges, std::vector<LineSegment>
       }
     });
   AppendBlocks(blocks, segments);
-}
-
-//------------------------------------------------------------------------------
-void LineExtractor::DropShortRows(std::vector<LineSegment>& segments) const
-{
-  const Index numberOfPoints = this->Surface.GetMesh().GetNumberOfPoints();
-  std::vector<Index> parents(numberOfPoints);
-  std::iota(parents.begin(), parents.end(), 0);
-  const auto findRoot = [&parents](Index point)
-  {
-    while (parents[point] != point)
-    {
-      parents[point] = parents[parents[point]];
-      point = parents[point];
-    }
-    return point;
-  };
-  const auto getPoint = [this](const LineSegment& segment, int end)
-  { return static_cast<Index>(segment.Keys[end] - this->FirstVertexKey); };
-
-  for (const LineSegment& segment : segments)
-  {
-    parents[findRoot(getPoint(segment, 0))] = findRoot(getPoint(segment, 1));
-  }
-  std::vector<char> atBorder(numberOfPoints, 0);
-  const EdgeList& seams = this->Surface.GetSeams();
-  for (Index edge = 0; edge < seams.GetNumberOfEdges(); ++edge)
-  {
-    if (seams.End(edge) - seams.Begin(edge) == 1)
-    {
-      for (Index point : this->GetLowAndHigh(*seams.Begin(edge)))
-      {
-        atBorder[this->Surface.GetWelded(point)] = 1;
-      }
-    }
-  }
-  std::vector<Index> lengths(numberOfPoints, 0);
-  for (const LineSegment& segment : segments)
-  {
-    ++lengths[findRoot(getPoint(segment, 0))];
-  }
-  for (Index point = 0; point < numberOfPoints; ++point)
-  {
-    if (atBorder[point])
-    {
-      ++lengths[findRoot(point)];
-    }
-  }
-  segments.erase(
-    std::remove_if(segments.begin(), segments.end(),
-      [&](const LineSegment& segment)
-      { return lengths[findRoot(getPoint(segment, 0))] < this->Definition.GetLeastRow(); }),
-    segments.end());
 }
 }

@@ -3,7 +3,7 @@
 #ifndef nprLineExtractor_h
 #define nprLineExtractor_h
 
-#include "nprLineChains.h"
+#include "nprLineSegments.h"
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
@@ -57,7 +57,6 @@ private:
     const LineView& view, const float* field, std::vector<LineSegment>& segments) const;
   void ExtractJumps(const float* field, std::vector<LineSegment>& segments) const;
   void ExtractEdges(const EdgeList& edges, std::vector<LineSegment>& segments) const;
-  void DropShortRows(std::vector<LineSegment>& segments) const;
 
   const LineSurface& Surface;
   const vtkNPRLineDefinition& Definition;

@@ -3,6 +3,7 @@
 #ifndef nprLineSurface_h
 #define nprLineSurface_h
 
+#include "nprLineView.h"
 #include "nprTriangleMesh.h"
 #include "vtkNPRFiltersLinesModule.h"
 
@@ -15,20 +16,6 @@ class vtkPolyData;
 
 namespace npr
 {
-/**
- * @class LineView
- * @brief Where the eye is, in the space of the model and relative to the origin of a LineSurface.
- *
- * The vector from a point p to the eye is Eye - Perspective * p, so that one loop without a branch
- * serves both projections: Perspective is 1 and Eye a position, or Perspective is 0 and Eye the
- * unit vector towards the eye.
- */
-struct LineView
-{
-  std::array<float, 3> Eye = { 0.0f, 0.0f, 1.0f };
-  float Perspective = 0.0f;
-};
-
 /**
  * @class EdgeList
  * @brief Edges of the welded surface, each with the half-edges (3 * triangle + edge) on it.

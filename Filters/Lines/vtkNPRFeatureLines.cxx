@@ -6,6 +6,7 @@
 #include "nprLineChains.h"
 #include "nprLineExtractor.h"
 #include "nprLineSurface.h"
+#include "nprLineView.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkCamera.h>
@@ -16,7 +17,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
-#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -26,11 +26,10 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 vtkStandardNewMacro(vtkNPRFeatureLines);
 vtkCxxSetSmartPointerMacro(vtkNPRFeatureLines, Camera, vtkCamera);
@@ -47,73 +46,6 @@ Eigen::Matrix4d GetModelToWorld(vtkMatrix4x4* matrix)
   }
   return result;
 }
-
-// The eye in the space of the model. False when the matrix has no inverse.
-bool MakeView(vtkCamera* camera, const Eigen::Matrix4d& modelToWorld, const Eigen::Vector3d& origin,
-  npr::LineView& view)
-{
-  const Eigen::Matrix3d linear = modelToWorld.topLeftCorner<3, 3>();
-  const Eigen::Matrix3d inverse = linear.inverse();
-  if (!inverse.allFinite() || linear.determinant() == 0.0)
-  {
-    return false;
-  }
-  const Eigen::Vector3d translation = modelToWorld.topRightCorner<3, 1>();
-  Eigen::Vector3d eye;
-  if (camera->GetParallelProjection())
-  {
-    eye = -(inverse * Eigen::Map<const Eigen::Vector3d>(camera->GetDirectionOfProjection()));
-    eye.normalize();
-  }
-  else
-  {
-    eye =
-      inverse * (Eigen::Map<const Eigen::Vector3d>(camera->GetPosition()) - translation) - origin;
-  }
-  view.Perspective = camera->GetParallelProjection() ? 0.0f : 1.0f;
-  for (int i = 0; i < 3; ++i)
-  {
-    view.Eye[i] = static_cast<float>(eye[i]);
-  }
-  return true;
-}
-
-// Measures lines as a camera sees them, in heights of its view.
-class Ruler
-{
-public:
-  Ruler(vtkCamera* camera, const Eigen::Matrix4d& modelToWorld, const Eigen::Vector3d& origin)
-    : Linear(modelToWorld.topLeftCorner<3, 3>()),
-      Offset(Linear * origin + modelToWorld.topRightCorner<3, 1>()), Eye(camera->GetPosition()),
-      Direction(camera->GetDirectionOfProjection()), Parallel(camera->GetParallelProjection() != 0),
-      HalfHeight(Parallel ? camera->GetParallelScale()
-                          : std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())))
-  {
-  }
-
-  double Measure(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const
-  {
-    const Eigen::Vector3d from = this->Linear * a + this->Offset;
-    const Eigen::Vector3d piece = this->Linear * (b - a);
-    const Eigen::Vector3d ray =
-      this->Parallel ? this->Direction : Eigen::Vector3d(from + 0.5 * piece - this->Eye);
-    const double distance = ray.norm();
-    if (distance == 0.0)
-    {
-      return 0.0;
-    }
-    const double across = ray.cross(piece).norm() / distance;
-    return across / (2.0 * this->HalfHeight * (this->Parallel ? 1.0 : distance));
-  }
-
-private:
-  const Eigen::Matrix3d Linear;
-  const Eigen::Vector3d Offset;
-  const Eigen::Vector3d Eye;
-  const Eigen::Vector3d Direction;
-  const bool Parallel;
-  const double HalfHeight;
-};
 
 // Collects the chains of all definitions.
 class Output
@@ -379,17 +311,17 @@ int vtkNPRFeatureLines::RequestData(
   const Eigen::Vector3d& origin = internal.Surface->GetMesh().GetOrigin();
   const Eigen::Matrix4d modelToWorld = GetModelToWorld(this->Matrix);
   npr::LineView view;
-  std::unique_ptr<Ruler> ruler;
+  std::unique_ptr<npr::LineRuler> ruler;
   if (this->Camera)
   {
-    if (!MakeView(this->Camera, modelToWorld, origin, view))
+    if (!npr::MakeLineView(this->Camera, modelToWorld, origin, view))
     {
       vtkErrorMacro(
         "The prop's matrix has no inverse, so the eye has no place in the model: give it a "
         "scale that is not 0.");
       return 0;
     }
-    ruler = std::make_unique<Ruler>(this->Camera, modelToWorld, origin);
+    ruler = std::make_unique<npr::LineRuler>(this->Camera, modelToWorld, origin);
   }
 
   Output lines(origin);

@@ -91,6 +91,59 @@ void TestTorus(Checks& check)
     }
   }
 }
+
+// A cylinder with lids: smooth around, split at both rims, where the field of the side and that of
+// a lid end at different places. Its front is one piece in every view, so its outline is one closed
+// line.
+void TestCylinder(Checks& check)
+{
+  const int n = 17;
+  auto cylinder = MakeGrid(n, 4, true, false);
+  std::vector<vtkIdType> welded;
+  std::vector<Vector> normals;
+  for (vtkIdType i = 0; i < 4 * n; ++i)
+  {
+    const double u = 2.0 * Pi * (i / 4) / n;
+    normals.emplace_back(std::cos(u), std::sin(u), 0.0);
+    cylinder->GetPoints()->SetPoint(i, std::cos(u), std::sin(u), i % 4 - 1.5);
+    welded.push_back(i);
+  }
+  for (int lid : { 0, 3 })
+  {
+    const vtkIdType first = cylinder->GetNumberOfPoints();
+    const Vector up(0.0, 0.0, lid == 0 ? -1.0 : 1.0);
+    cylinder->GetPoints()->InsertNextPoint(Vector(1.5 * up).data());
+    welded.push_back(first);
+    normals.push_back(up);
+    for (int i = 0; i < n; ++i)
+    {
+      double p[3];
+      cylinder->GetPoint(i * 4 + lid, p);
+      cylinder->GetPoints()->InsertNextPoint(p);
+      welded.push_back(i * 4 + lid);
+      normals.push_back(up);
+      const vtkIdType a = first + 1 + i;
+      const vtkIdType b = first + 1 + (i + 1) % n;
+      cylinder->GetPolys()->InsertNextCell({ first, lid == 0 ? b : a, lid == 0 ? a : b });
+    }
+  }
+  AddWeldedIds(cylinder, welded);
+  auto array = AddArray(cylinder, npr::names::Normals, 3);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
+  }
+  for (int view = 0; view < 200; ++view)
+  {
+    const double u = 2.4 * view;
+    const double height = 0.05 * (view - 100);
+    auto camera = MakeCamera({ 4.0 * std::cos(u), 4.0 * std::sin(u), height }, view % 2 == 0);
+    const auto chains = Extract(cylinder, { "contours" }, camera);
+    CheckSound(chains, check);
+    check(
+      chains.size() == 1 && chains[0].Closed, "the outline of a cylinder is one closed line", view);
+  }
+}
 }
 
 int TestContours(int, char*[])
@@ -99,5 +152,6 @@ int TestContours(int, char*[])
   TestSphere(false, check);
   TestSphere(true, check);
   TestTorus(check);
+  TestCylinder(check);
   return check.Result();
 }
