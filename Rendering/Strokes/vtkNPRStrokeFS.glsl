@@ -19,7 +19,8 @@ uniform sampler2D nprDepthTexture;
 uniform vec2 nprViewportSize;      // pixels
 uniform vec4 nprDepthProjection;   // rows 2 and 3, columns 2 and 3 of the projection matrix
 uniform float nprPixelScale;       // size of a pixel at clip coordinate w = 1, world units
-uniform vec2 nprTolerance;         // pixels, world units
+uniform float nprTolerance;        // pixels
+uniform float nprModelSize;        // world units
 uniform float nprVisibilityRadius; // pixels
 uniform float nprHiddenOpacity;
 
@@ -45,41 +46,41 @@ float surface(vec2 pixel)
   return texelFetch(nprDepthTexture, texel, 0).r;
 }
 
-float farthestAround(vec2 pixel, float radius)
-{
-  float farthest = 0.0;
-  for (int i = 0; i < 8; ++i)
-  {
-    farthest = max(farthest, surface(pixel + radius * Ring[i]));
-  }
-  return farthest;
-}
-
-// 1 where the surface around the pixel is not in front of the axis, with the farthest surface of
-// the neighbourhood deciding: a contour lies on the edge of its own surface, so the surface alone
+// How visible the axis is at a pixel (window coordinates) and depth. The farthest surface of the
+// neighbourhood decides: a contour lies on the edge of its own surface, so the surface at one pixel
 // would hide half of it.
 float visibility(vec2 pixel, float z)
 {
   float depth = viewDepth(z);
   float pixelSize = abs(nprDepthProjection.w - nprDepthProjection.z * depth) * nprPixelScale;
-  float tolerance = nprTolerance.x * pixelSize + nprTolerance.y;
+  float tolerance = nprTolerance * pixelSize + 1e-4 * nprModelSize; // the latter: rounding
   float nearest = depth - tolerance;
   if (nprDepthProjection.z != 0.0)
   {
     nearest = max(nearest, 1e-3 * depth); // in front of the eye
   }
   float limit = 0.5 * deviceDepth(nearest) + 0.5;
-  float farthest = surface(pixel);
+
+  // The four pixels around the axis: the plane of a flat surface is never nearer than all of them.
+  float farthest =
+    max(max(surface(pixel + vec2(-0.5, -0.5)), surface(pixel + vec2(0.5, -0.5))),
+      max(surface(pixel + vec2(-0.5, 0.5)), surface(pixel + vec2(0.5, 0.5))));
   if (farthest >= limit)
   {
     return 1.0;
   }
-  farthest = max(farthest, farthestAround(pixel, 1.0));
-  if (farthest >= limit)
+  // Within a distance r of its edge a surface with the radius of curvature R rises by sqrt(2 r R):
+  // what is nearer than that is another surface, whose surroundings don't count.
+  if (depth - viewDepth(2.0 * farthest - 1.0) >
+    max(2.0 * tolerance, sqrt(2.0 * nprVisibilityRadius * pixelSize * nprModelSize)))
   {
-    return 1.0;
+    return 0.0;
   }
-  farthest = max(farthest, farthestAround(pixel, nprVisibilityRadius));
+  for (int i = 0; i < 16; ++i)
+  {
+    vec2 offset = (i < 8 ? 0.5 : 1.0) * nprVisibilityRadius * Ring[i & 7];
+    farthest = max(farthest, surface(pixel + offset));
+  }
   return 1.0 - smoothstep(tolerance, 1.5 * tolerance, depth - viewDepth(2.0 * farthest - 1.0));
 }
 

@@ -42,9 +42,6 @@
 
 namespace
 {
-/// Depths of lines and surfaces that come from one model differ by rounding, too.
-constexpr double ModelTolerance = 1e-4;
-
 /// How VTK's translucent pass, if any, wants its colours.
 enum class Translucency
 {
@@ -283,11 +280,10 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     program->SetUniform4f("nprDepthProjection", depthProjection);
     program->SetUniformf(
       "nprPixelScale", static_cast<float>(2.0 / (projection->GetElement(1, 1) * viewport[3])));
-    const double* bounds = actor->GetBounds();
-    const vtkBoundingBox box(bounds);
-    const float tolerance[2] = { static_cast<float>(this->DepthTolerance),
-      static_cast<float>(box.IsValid() ? ModelTolerance * box.GetDiagonalLength() : 0.0) };
-    program->SetUniform2f("nprTolerance", tolerance);
+    const vtkBoundingBox box(actor->GetBounds());
+    program->SetUniformf("nprTolerance", static_cast<float>(this->DepthTolerance));
+    program->SetUniformf(
+      "nprModelSize", static_cast<float>(box.IsValid() ? box.GetDiagonalLength() : 0.0));
     program->SetUniformf("nprVisibilityRadius", static_cast<float>(this->VisibilityRadius));
     program->SetUniformf("nprHiddenOpacity", static_cast<float>(this->HiddenOpacity));
     graphics.BufferTexture->Activate();
@@ -298,8 +294,8 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       graphics.Layer.GetDepth()->Activate();
     }
     // Samplers of two kinds must not share a unit, even where one is not used.
-    program->SetUniformi("nprDepthTexture",
-      depthTest ? graphics.Layer.GetDepth()->GetTextureUnit() : recordsUnit + 1);
+    program->SetUniformi(
+      "nprDepthTexture", depthTest ? graphics.Layer.GetDepth()->GetTextureUnit() : recordsUnit + 1);
     graphics.VertexArray->Bind(); // OpenGL wants one, even without attributes
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * graphics.NumberOfSegments));
     graphics.VertexArray->Release();

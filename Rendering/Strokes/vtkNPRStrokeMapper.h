@@ -14,7 +14,8 @@
  * Whether a stroke is hidden by a surface is decided along its axis, and for its whole width
  * at once: the axis is visible unless it lies behind *all* of the surface within VisibilityRadius
  * by more than DepthTolerance. So lines on a surface and contours on its edge neither fight with
- * it nor break, however thick they are.
+ * it nor break, however thick they are. A surface that is too near to be the stroke's own hides
+ * it up to the surface's edge.
  *
  * Strokes are drawn in the translucent phase, when all opaque surfaces are in the depth buffer, and
  * write no depth: translucent surfaces don't hide them. They have no part in hardware selection.
@@ -104,7 +105,7 @@ public:
   /**
    * Radius of the neighbourhood whose farthest surface decides, in pixels, 1 or more. A larger one
    * closes gaps of contours that lie on a coarse mesh; strokes also reach that far behind the edges
-   * of what hides them. Default: 2.
+   * of their own surface. Default: 2.
    */
   vtkSetClampMacro(VisibilityRadius, double, 1.0, 100.0);
   vtkGetMacro(VisibilityRadius, double);
