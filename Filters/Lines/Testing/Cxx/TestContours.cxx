@@ -144,6 +144,61 @@ void TestCylinder(Checks& check)
       chains.size() == 1 && chains[0].Closed, "the outline of a cylinder is one closed line", view);
   }
 }
+
+// Two caps that meet in a sharp rim of few edges: the fields of both sides change their signs
+// within one edge. Lines stay closed, and never run back over themselves.
+void TestLens(Checks& check)
+{
+  const int n = 7;
+  vtkNew<vtkPolyData> lens;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  lens->SetPoints(points);
+  lens->SetPolys(triangles);
+  std::vector<vtkIdType> welded;
+  std::vector<Vector> normals;
+  for (double up : { 1.0, -1.0 })
+  {
+    const vtkIdType first = points->InsertNextPoint(0.0, 0.0, 0.3 * up);
+    welded.push_back(first);
+    normals.emplace_back(0.0, 0.0, up);
+    for (int i = 0; i < n; ++i)
+    {
+      const double u = 2.0 * Pi * i / n;
+      points->InsertNextPoint(std::cos(u), std::sin(u), 0.0);
+      welded.push_back(1 + i);
+      normals.push_back(Vector(0.6 * std::cos(u), 0.6 * std::sin(u), 0.8 * up));
+      const vtkIdType a = first + 1 + i;
+      const vtkIdType b = first + 1 + (i + 1) % n;
+      triangles->InsertNextCell({ first, up > 0.0 ? a : b, up > 0.0 ? b : a });
+    }
+  }
+  AddWeldedIds(lens, welded);
+  auto array = AddArray(lens, npr::names::Normals, 3);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
+  }
+  for (int view = 0; view < 200; ++view)
+  {
+    const double u = 2.4 * view;
+    auto camera =
+      MakeCamera({ 9.0 * std::cos(u), 9.0 * std::sin(u), 0.02 * (view - 100.3) }, view % 2 == 0);
+    const auto chains = Extract(lens, { "contours" }, camera);
+    CheckSound(chains, check);
+    check(!chains.empty(), "a lens has an outline", view);
+    for (const Chain& chain : chains)
+    {
+      check(chain.Closed, "the outline of a lens is closed", view);
+      for (std::size_t i = 0; i < chain.Points.size(); ++i)
+      {
+        const Vector here = (chain.Next(i) - chain.Points[i]).normalized();
+        const Vector next = (chain.Next(i + 1) - chain.Next(i)).normalized();
+        check(here.dot(next) > -0.9999, "a line does not run back over itself", view);
+      }
+    }
+  }
+}
 }
 
 int TestContours(int, char*[])
@@ -153,5 +208,6 @@ int TestContours(int, char*[])
   TestSphere(true, check);
   TestTorus(check);
   TestCylinder(check);
+  TestLens(check);
   return check.Result();
 }
