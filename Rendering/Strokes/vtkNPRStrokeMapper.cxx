@@ -165,12 +165,11 @@ void vtkNPRStrokeMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkOpenGLCamera* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   if (renderer->GetSelector())
   {
     return;
   }
-  if (!window || !camera)
+  if (!window || !vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera()))
   {
     vtkErrorMacro("Strokes are drawn by OpenGL, but the render window is not a "
                   "vtkOpenGLRenderWindow. Link and initialise VTK::RenderingOpenGL2.");
@@ -195,7 +194,6 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  this->TimeToDraw = 0.0;
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
 
@@ -216,9 +214,7 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 
   vtkOpenGLClearErrorMacro();
   vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport savedViewport(state);
   vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
-  vtkOpenGLState::ScopedglColorMask savedColorMask(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate savedBlendFunc(state);
   vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
@@ -227,68 +223,45 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
+  this->DrawInk(renderer, actor, program);
+  this->LayInkOver(window, actor, translucency == Translucency::OrderIndependent);
+  vtkOpenGLCheckErrorMacro("failed after drawing strokes");
+
+  timer->StopTimer();
+  this->TimeToDraw = std::max(timer->GetElapsedTime(), 1e-4); // zero would mean: not drawn
+  this->UpdateProgress(1.0);
+}
+
+void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program)
+{
+  Graphics& graphics = *this->Resources;
+  vtkOpenGLState* state = graphics.Window->GetState();
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
-
-  // The ink.
+  state->PushFramebufferBindings();
   {
-    state->PushFramebufferBindings();
+    vtkOpenGLState::ScopedglViewport savedViewport(state);
+    vtkOpenGLState::ScopedglColorMask savedColorMask(state);
     vtkOpenGLState::ScopedglEnableDisable savedScissor(state, GL_SCISSOR_TEST);
     vtkOpenGLState::ScopedglEnableDisable savedStencil(state, GL_STENCIL_TEST);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglDisable(GL_STENCIL_TEST);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const bool depthTest = this->DepthTest && graphics.Layer.CaptureDepth(window, viewport);
+    const bool depthTest =
+      this->DepthTest && graphics.Layer.CaptureDepth(graphics.Window, viewport);
     state->vtkglViewport(0, 0, viewport[2], viewport[3]);
-    graphics.Layer.BindInk(window, viewport[2], viewport[3]);
+    graphics.Layer.BindInk(graphics.Window, viewport[2], viewport[3]);
     int equations[2];
     state->vtkglGetIntegerv(GL_BLEND_EQUATION_RGB, &equations[0]);
     state->vtkglGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equations[1]);
     state->vtkglBlendEquation(GL_MAX);
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
 
-    vtkMatrix4x4* worldToView;
-    vtkMatrix3x3* normals;
-    vtkMatrix4x4* projection; // transposed, as all that VTK hands to shaders
-    vtkMatrix4x4* worldToDevice;
-    camera->GetKeyMatrices(renderer, worldToView, normals, projection, worldToDevice);
-    vtkNew<vtkMatrix4x4> matrix;
-    for (int i = 0; i < 3; ++i)
-    {
-      matrix->SetElement(i, 3, graphics.Origin[i]);
-    }
-    vtkMatrix4x4::Multiply4x4(actor->GetMatrix(), matrix, matrix);
-    matrix->Transpose();
-    vtkMatrix4x4::Multiply4x4(matrix, worldToDevice, matrix);
-
-    const float widest =
-      static_cast<float>(this->Width) * (this->UseWidthArray ? graphics.MaximumWidth : 1.0f);
-    program->SetUniformMatrix("nprMCDCMatrix", matrix);
-    program->SetUniform2f("nprViewportSize", size);
-    program->SetUniformf("nprWidth", static_cast<float>(this->Width));
-    program->SetUniformi("nprUseWidths", this->UseWidthArray);
-    program->SetUniformf("nprMinimumWidthFactor",
-      this->StrengthToWidth ? static_cast<float>(this->MinimumWidthFactor) : 1.0f);
-    program->SetUniformf("nprMinimumOpacityFactor", this->StrengthToOpacity ? 0.0f : 1.0f);
-    program->SetUniformf("nprGuard", 0.5f * widest + 2.0f);
-    program->SetUniformi("nprDepthTest", depthTest);
-    const float depthProjection[4] = { static_cast<float>(projection->GetElement(2, 2)),
-      static_cast<float>(projection->GetElement(3, 2)),
-      static_cast<float>(projection->GetElement(2, 3)),
-      static_cast<float>(projection->GetElement(3, 3)) };
-    program->SetUniform4f("nprDepthProjection", depthProjection);
-    program->SetUniformf(
-      "nprPixelScale", static_cast<float>(2.0 / (projection->GetElement(1, 1) * viewport[3])));
-    const vtkBoundingBox box(actor->GetBounds());
-    program->SetUniformf("nprTolerance", static_cast<float>(this->DepthTolerance));
-    program->SetUniformf(
-      "nprModelSize", static_cast<float>(box.IsValid() ? box.GetDiagonalLength() : 0.0));
-    program->SetUniformf("nprVisibilityRadius", static_cast<float>(this->VisibilityRadius));
-    program->SetUniformf("nprHiddenOpacity", static_cast<float>(this->HiddenOpacity));
+    this->SetUniforms(renderer, actor, program, viewport);
     graphics.BufferTexture->Activate();
     const int recordsUnit = graphics.BufferTexture->GetTextureUnit();
     program->SetUniformi("nprRecords", recordsUnit);
+    program->SetUniformi("nprDepthTest", depthTest);
     if (depthTest)
     {
       graphics.Layer.GetDepth()->Activate();
@@ -305,11 +278,59 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       graphics.Layer.GetDepth()->Deactivate();
     }
     state->vtkglBlendEquationSeparate(equations[0], equations[1]);
-    state->PopFramebufferBindings();
   }
+  state->PopFramebufferBindings();
+}
 
-  // Over the picture.
-  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+void vtkNPRStrokeMapper::SetUniforms(
+  vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4])
+{
+  const Graphics& graphics = *this->Resources;
+  vtkMatrix4x4* worldToView;
+  vtkMatrix3x3* normals;
+  vtkMatrix4x4* projection; // transposed, as all that VTK hands to shaders
+  vtkMatrix4x4* worldToDevice;
+  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, worldToView, normals, projection, worldToDevice);
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int i = 0; i < 3; ++i)
+  {
+    matrix->SetElement(i, 3, graphics.Origin[i]);
+  }
+  vtkMatrix4x4::Multiply4x4(actor->GetMatrix(), matrix, matrix);
+  matrix->Transpose();
+  vtkMatrix4x4::Multiply4x4(matrix, worldToDevice, matrix);
+  program->SetUniformMatrix("nprMCDCMatrix", matrix);
+
+  const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
+  program->SetUniform2f("nprViewportSize", size);
+  program->SetUniformf("nprWidth", static_cast<float>(this->Width));
+  program->SetUniformi("nprUseWidths", this->UseWidthArray);
+  program->SetUniformf("nprMinimumWidthFactor",
+    this->StrengthToWidth ? static_cast<float>(this->MinimumWidthFactor) : 1.0f);
+  program->SetUniformf("nprMinimumOpacityFactor", this->StrengthToOpacity ? 0.0f : 1.0f);
+  const double widest = this->Width * (this->UseWidthArray ? graphics.MaximumWidth : 1.0f);
+  program->SetUniformf("nprGuard", static_cast<float>(0.5 * widest + 2.0));
+
+  const float depthProjection[4] = { static_cast<float>(projection->GetElement(2, 2)),
+    static_cast<float>(projection->GetElement(3, 2)),
+    static_cast<float>(projection->GetElement(2, 3)),
+    static_cast<float>(projection->GetElement(3, 3)) };
+  program->SetUniform4f("nprDepthProjection", depthProjection);
+  program->SetUniformf(
+    "nprPixelScale", static_cast<float>(2.0 / (projection->GetElement(1, 1) * viewport[3])));
+  const vtkBoundingBox box(actor->GetBounds());
+  program->SetUniformf("nprTolerance", static_cast<float>(this->DepthTolerance));
+  program->SetUniformf(
+    "nprModelSize", static_cast<float>(box.IsValid() ? box.GetDiagonalLength() : 0.0));
+  program->SetUniformf("nprVisibilityRadius", static_cast<float>(this->VisibilityRadius));
+  program->SetUniformf("nprHiddenOpacity", static_cast<float>(this->HiddenOpacity));
+}
+
+void vtkNPRStrokeMapper::LayInkOver(
+  vtkOpenGLRenderWindow* window, vtkActor* actor, bool orderIndependent)
+{
+  Graphics& graphics = *this->Resources;
   if (!graphics.Composite)
   {
     graphics.Composite.reset(new vtkOpenGLQuadHelper(window, nullptr, vtkNPRStrokeCompositeFS, ""));
@@ -319,34 +340,26 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     window->GetShaderCache()->ReadyShaderProgram(graphics.Composite->Program);
   }
   vtkShaderProgram* composite = graphics.Composite->Program;
-  if (composite)
+  if (!composite)
   {
-    const bool orderIndependent = translucency == Translucency::OrderIndependent;
-    if (orderIndependent)
-    {
-      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-    }
-    else
-    {
-      state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    }
-    graphics.Layer.GetInk()->Activate();
-    composite->SetUniformi("nprInkTexture", graphics.Layer.GetInk()->GetTextureUnit());
-    composite->SetUniform3f("nprColor", actor->GetProperty()->GetColor());
-    composite->SetUniformf("nprOpacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
-    composite->SetUniformi("nprOrderIndependent", orderIndependent);
-    graphics.Composite->Render();
-    graphics.Layer.GetInk()->Deactivate();
+    return;
   }
-  vtkOpenGLCheckErrorMacro("failed after drawing strokes");
-
-  timer->StopTimer();
-  this->TimeToDraw = timer->GetElapsedTime();
-  if (this->TimeToDraw == 0.0)
+  vtkOpenGLState* state = window->GetState();
+  if (orderIndependent)
   {
-    this->TimeToDraw = 0.0001; // zero would mean: not drawn
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   }
-  this->UpdateProgress(1.0);
+  else
+  {
+    state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  graphics.Layer.GetInk()->Activate();
+  composite->SetUniformi("nprInkTexture", graphics.Layer.GetInk()->GetTextureUnit());
+  composite->SetUniform3f("nprColor", actor->GetProperty()->GetColor());
+  composite->SetUniformf("nprOpacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
+  composite->SetUniformi("nprOrderIndependent", orderIndependent);
+  graphics.Composite->Render();
+  graphics.Layer.GetInk()->Deactivate();
 }
 
 void vtkNPRStrokeMapper::ShallowCopy(vtkAbstractMapper* mapper)

@@ -36,8 +36,15 @@
 #define vtkNPRStrokeMapper_h
 
 #include "vtkNPRRenderingStrokesModule.h"
-#include <memory>
 #include <vtkPolyDataMapper.h>
+
+#include "nprVTKCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include <memory>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+VTK_ABI_NAMESPACE_END
 
 class VTKNPRRENDERINGSTROKES_EXPORT vtkNPRStrokeMapper : public vtkPolyDataMapper
 {
@@ -140,6 +147,11 @@ protected:
 private:
   vtkNPRStrokeMapper(const vtkNPRStrokeMapper&) = delete;
   void operator=(const vtkNPRStrokeMapper&) = delete;
+
+  void DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
+  void SetUniforms(
+    vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
+  void LayInkOver(vtkOpenGLRenderWindow* window, vtkActor* actor, bool orderIndependent);
 
   class Graphics;
   std::unique_ptr<Graphics> Resources;
