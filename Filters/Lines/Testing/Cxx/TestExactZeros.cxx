@@ -27,12 +27,14 @@ public:
     return { { "Field", 1, "a test" } };
   }
   bool HasField() const override { return true; }
+  bool FollowsJumps() const override { return this->Jumps; }
   void EvaluateField(const npr::LineSurface& surface, const npr::LineView&, vtkIdType begin,
     vtkIdType end, float* field) const override
   {
     std::copy(surface.GetComponent("Field", 0) + begin, surface.GetComponent("Field", 0) + end,
       field + begin);
   }
+  bool Jumps = false;
 };
 vtkStandardNewMacro(GivenField);
 
@@ -80,6 +82,51 @@ void TestField(const std::function<double(double, double)>& function, double len
   check(std::abs(GetTotalLength(chains) - length) < 1.0e-9, what, GetTotalLength(chains));
   check(chains.size() == numberOfChains, what, static_cast<double>(chains.size()));
 }
+
+// Two triangles on a split edge from x = 0 to 1. Above, the field falls and is 0 at 1/2; below, it
+// rises and is 0 at 1/4. Their signs differ up to 1/4 and from 1/2 on.
+void TestJumps(Checks& check)
+{
+  vtkNew<vtkPolyData> surface;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  for (const Vector& p : { Vector(0, 0, 0), Vector(1, 0, 0), Vector(0.5, 1, 0), Vector(0, 0, 0),
+         Vector(1, 0, 0), Vector(0.5, -1, 0) })
+  {
+    points->InsertNextPoint(p.data());
+  }
+  triangles->InsertNextCell({ 0, 1, 2 });
+  triangles->InsertNextCell({ 4, 3, 5 });
+  AddWeldedIds(surface, { 0, 1, 2, 0, 1, 5 });
+  auto normals = AddArray(surface, npr::names::Normals, 3);
+  auto field = AddArray(surface, "Field", 1);
+  const double values[] = { 1.0, -1.0, 1.0, -1.0, 3.0, 1.0 };
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    normals->SetTuple3(i, 0.0, 0.0, 1.0);
+    field->SetTuple1(i, values[i]);
+  }
+  vtkNew<GivenField> definition;
+  definition->Jumps = true;
+  vtkNew<vtkNPRFeatureLines> lines;
+  lines->AddDefinition(definition);
+  lines->SetInputData(surface);
+  lines->Update();
+  const auto chains = GetChains(lines->GetOutput());
+  CheckSound(chains, check);
+  std::vector<Segment> along;
+  for (const Segment& segment : GetSegments(chains))
+  {
+    if (segment[1] == 0.0 && segment[4] == 0.0)
+    {
+      along.push_back(segment);
+    }
+  }
+  check(along == std::vector<Segment>{ { 0, 0, 0, 0.25, 0, 0 }, { 0.5, 0, 0, 1, 0, 0 } },
+    "the line runs where the signs of the two sides differ", static_cast<double>(along.size()));
+}
 }
 
 int TestExactZeros(int, char*[])
@@ -110,5 +157,6 @@ int TestExactZeros(int, char*[])
   const auto chains = ExtractField([](double x, double) { return x; });
   check(chains.size() == 1 && chains[0].Points.back()[1] < chains[0].Points.front()[1],
     "with x > 0 on its left the line runs towards -y");
+  TestJumps(check);
   return check.Result();
 }
