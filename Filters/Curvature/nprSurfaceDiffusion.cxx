@@ -23,6 +23,9 @@ constexpr int MaximumNumberOfSteps = 1000;
 /// An explicit step is stable up to 1; above it a point would overshoot its neighbours.
 constexpr double LargestStep = 0.8;
 
+/// Of half a sum of two cotangents: a triangle's angle of 135 degrees on both sides has -1.
+constexpr double MostNegativeWeight = -0.5;
+
 /// What the operator of std::complex does, without its care for infinities, which costs a call.
 std::complex<float> Multiply(std::complex<float> a, std::complex<float> b)
 {
@@ -52,6 +55,7 @@ SurfaceDiffusion::SurfaceDiffusion(const TriangleMesh& mesh, const Tuples<3>& no
     this->Offsets[i + 1] = this->Offsets[i] + 2 * mesh.GetNumberOfIncident(i);
   }
   this->Links.resize(this->Offsets.back());
+  this->Ends.resize(numberOfPoints);
   this->Rates.resize(numberOfPoints, 0.0f);
   std::vector<double> areas(numberOfPoints, 0.0);
   vtkSMPTools::For(0, numberOfPoints,
@@ -95,18 +99,20 @@ SurfaceDiffusion::SurfaceDiffusion(const TriangleMesh& mesh, const Tuples<3>& no
           }
           const Vector3d other = normals[to].cast<double>();
           const MinimalRotation rotation(other, normal);
-          // Negative weights (obtuse triangles) would turn averages into extrapolations.
-          weight = rotation.IsValid() && areas[i] > 0.0 ? std::max(weight, 0.0) / areas[i] : 0.0;
-          if (weight > 0.0)
+          // Negative weights belong to the Laplacian where triangles are sheared; only those of
+          // slivers are cut, which would throw values far beyond their neighbours'.
+          weight = rotation.IsValid() && areas[i] > 0.0
+            ? std::max(weight, MostNegativeWeight) / areas[i]
+            : 0.0;
+          if (weight != 0.0)
           {
             const Vector3d u = rotation(MakeTangentFrame(other).U);
             this->Links[slot++] = { to, static_cast<float>(weight),
               { static_cast<float>(u.dot(frame.U)), static_cast<float>(u.dot(frame.V)) } };
-            rate += weight;
+            rate += std::abs(weight);
           }
         }
-        std::fill(this->Links.begin() + slot, this->Links.begin() + this->Offsets[i + 1],
-          Link{ point, 0.0f, { 1.0f, 0.0f } });
+        this->Ends[i] = slot;
         this->Rates[i] = static_cast<float>(rate);
       }
     });
@@ -130,9 +136,9 @@ TangentFrame SurfaceDiffusion::GetFrame(Index point) const
 void SurfaceDiffusion::Smooth(Field& field, int spin, double radius) const
 {
   const double time = 0.5 * radius * radius;
-  // Steps in which even points with three times the mean rate are followed exactly; only still
+  // Steps in which even points with half as much again as the mean rate are followed exactly; only
   // smaller triangles, which are in balance with their neighbourhood anyway, are held back.
-  const double wanted = std::ceil(3.0 * time * this->MeanRate / LargestStep);
+  const double wanted = std::ceil(1.5 * time * this->MeanRate / LargestStep);
   if (!(wanted >= 1.0))
   {
     return;
@@ -148,8 +154,7 @@ void SurfaceDiffusion::Smooth(Field& field, int spin, double radius) const
         for (vtkIdType i = begin; i < end; ++i)
         {
           std::complex<float> change = 0.0f;
-          for (Index l = this->Offsets[i]; l < this->Offsets[i + 1] && this->Links[l].Weight > 0.0f;
-               ++l)
+          for (Index l = this->Offsets[i]; l < this->Ends[i]; ++l)
           {
             const Link& link = this->Links[l];
             change += link.Weight * (Turn(field[link.To], link.Turning, spin) - field[i]);

@@ -52,9 +52,10 @@ private:
     std::complex<float> Turning; // from the neighbour's frame to one's own
   };
 
-  std::vector<TriangleMesh::Index> Offsets;
+  std::vector<TriangleMesh::Index> Offsets; // of each point's first link
+  std::vector<TriangleMesh::Index> Ends;    // behind each point's last link
   std::vector<Link> Links;
-  std::vector<float> Rates; // sums of the weights
+  std::vector<float> Rates; // sums of the weights' magnitudes
   double MeanRate = 0.0;    // over the area
   Tuples<3> Normals;
 };

@@ -68,9 +68,9 @@ Vector3d ComputeNormal(const TriangleMesh& mesh, NormalWeights weights, Index po
 
 //------------------------------------------------------------------------------
 /// Turns the normal of a border point so that it fits those of the neighbours that are settled.
-/// False if it has no such neighbour.
+/// False if it has no such neighbour, or (if `fully`) none that determine it in both directions.
 bool FitBorderNormal(const TriangleMesh& mesh, const std::vector<unsigned char>& settled,
-  const Tuples<3>& normals, Index point, Vector3d& fitted)
+  const Tuples<3>& normals, bool fully, Index point, Vector3d& fitted)
 {
   // Least squares for the change d of the normal, over edges e: (n + d).e = -(other normal).e
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -98,8 +98,14 @@ bool FitBorderNormal(const TriangleMesh& mesh, const std::vector<unsigned char>&
   {
     return false;
   }
+  // The product of the two eigenvalues in the tangent plane; equal ones give a quarter.
+  const double product = 0.5 * (trace * trace - matrix.squaredNorm());
+  if (fully && product < 0.03 * trace * trace)
+  {
+    return false;
+  }
   // The small diagonal leaves alone what the edges do not determine.
-  matrix.diagonal().array() += 1e-3 * trace;
+  matrix.diagonal().array() += (fully ? 1e-6 : 1e-2) * trace;
   const Vector3d change = matrix.inverse() * right;
   // A turn by more than 45 degrees is not a correction but a misfit (noise, a fold).
   fitted = change.squaredNorm() < 1.0 ? (n + change).normalized() : n;
@@ -120,8 +126,10 @@ void FitBorderNormals(const TriangleMesh& mesh, Tuples<3>& normals)
       open.push_back(static_cast<Index>(i));
     }
   }
-  // The second round is for points whose neighbours all lie on the border, such as corners.
-  for (int round = 0; round < 2; ++round)
+  // First those that have inner neighbours in several directions; then those, such as corners, that
+  // have settled neighbours along the border; last those that have anything to go by.
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds; ++round)
   {
     std::vector<unsigned char> done(open.size(), 0);
     Tuples<3> fitted(open.size());
@@ -131,7 +139,7 @@ void FitBorderNormals(const TriangleMesh& mesh, Tuples<3>& normals)
         for (vtkIdType i = begin; i < end; ++i)
         {
           Vector3d normal;
-          done[i] = FitBorderNormal(mesh, settled, normals, open[i], normal);
+          done[i] = FitBorderNormal(mesh, settled, normals, round < rounds - 1, open[i], normal);
           if (done[i])
           {
             fitted[i] = normal.cast<float>();

@@ -54,16 +54,11 @@ struct Edge
     {
       return Vector3d::Zero();
     }
-    // At an end whose tangent leaves the chord at the angle a, half a circle's sagitta is
-    // length / 4 * tan(a / 2); for small angles it is the w / 8 of the PN rule.
-    const auto half = [this](double w)
-    {
-      const double sine = std::max(-1.0, std::min(1.0, w / this->Length));
-      return 0.5 * this->Length * std::tan(0.5 * std::asin(sine));
-    };
-    return -(half(this->Chord.dot(this->N0)) * this->N0 -
-             half(this->Chord.dot(this->N1)) * this->N1) /
-      (this->N0 + this->N1).norm();
+    // The PN rule divides by 8; this is the same for small angles, and exact for all chords of
+    // spheres and round cylinders, whose normals at the ends differ by twice the angle a.
+    const double length = (this->N0 + this->N1).norm(); // 2 cos a
+    return (this->Chord.dot(this->N1) * this->N1 - this->Chord.dot(this->N0) * this->N0) /
+      (length * (2.0 + length));
   }
   /// The normal in the middle, by the quadratic rule of PN triangles.
   Vector3d GetMiddleNormal() const

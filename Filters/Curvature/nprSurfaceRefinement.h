@@ -43,8 +43,8 @@ struct RefinedSurface
  * Refines a mesh by midpoints of its edges.
  *
  * A midpoint is moved from the chord to the curve that leaves both ends at right angles to their
- * normals: the edge rule of A. Vlachos et al., "Curved PN Triangles", I3D 2001, with each end's
- * offset scaled so that it is exact not only for parabolas but for circles. On edges that the
+ * normals: the edge rule of A. Vlachos et al., "Curved PN Triangles", I3D 2001, scaled so
+ * that it is exact not only for parabolas but for spheres and round cylinders. On edges that the
  * preparation has split, all copies move alike: by the shortest way that has the offset of each
  * side along the normal of that side, so that the rim of a cylinder becomes round while its cap
  * stays flat. No move is longer than a fifth of the edge, and there is none where the normals

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Refined spheres are round, cans have round rims and flat caps, cubes stay cubes; no cracks
+// anywhere.
+#include "nprCurvaturePipeline.h"
+#include "vtkNPRSurfaceRefinement.h"
+
+#include <vtkFloatArray.h>
+
+#include <map>
+#include <set>
+
+using namespace nprtest;
+
+namespace
+{
+/// Closed once copies are taken for one: each edge has two triangles, in opposite directions.
+void CheckClosed(vtkPolyData* surface, const std::string& name, Checks& check)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
+  npr::TriangleMesh mesh(surface);
+  check(mesh.GetNumberOfTriangles() == surface->GetNumberOfCells(), name + ": all are triangles");
+  const auto welded = [&](npr::TriangleMesh::Index i)
+  { return static_cast<vtkIdType>(GetValue(surface, npr::names::WeldedPointIds, i)); };
+  for (const auto& corners : mesh.GetTriangles())
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      ++edges[{ welded(corners[e]), welded(corners[(e + 1) % 3]) }];
+    }
+  }
+  for (const auto& edge : edges)
+  {
+    const auto opposite = edges.find({ edge.first.second, edge.first.first });
+    check(
+      edge.second == 1 && opposite != edges.end() && opposite->second == 1, name + ": no cracks");
+  }
+  std::set<std::vector<double>> places;
+  std::set<vtkIdType> ids;
+  for (npr::TriangleMesh::Index i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    double a[3];
+    double b[3];
+    surface->GetPoint(i, a);
+    surface->GetPoint(welded(i), b);
+    check(
+      a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && welded(i) <= i, name + ": copies coincide");
+    places.insert({ a[0], a[1], a[2] });
+    ids.insert(welded(i));
+  }
+  check(places.size() == ids.size(), name + ": points in one place are copies of one");
+}
+
+struct Refined
+{
+  Pipeline Stages;
+  vtkNew<vtkNPRSurfaceRefinement> Refinement;
+
+  explicit Refined(vtkPolyData* mesh, double creaseAngle = 40.0) : Stages(mesh)
+  {
+    this->Stages.Preparation->SetCreaseAngle(creaseAngle);
+    this->Refinement->SetInputConnection(this->Stages.Tensor->GetOutputPort());
+  }
+  vtkPolyData* Update()
+  {
+    this->Refinement->Update();
+    return this->Refinement->GetOutput();
+  }
+};
+
+/// Largest distance from the unit sphere, over points and (so chords count) triangles' centres.
+double GetSphereError(vtkPolyData* surface)
+{
+  double error = 0.0;
+  npr::TriangleMesh mesh(surface);
+  for (const auto& corners : mesh.GetTriangles())
+  {
+    Vector3d centre = mesh.GetOrigin();
+    for (auto corner : corners)
+    {
+      const Vector3d p = mesh.GetPoint(corner).cast<double>();
+      error = std::max(error, std::abs((p + mesh.GetOrigin()).norm() - 1.0));
+      centre += p / 3.0;
+    }
+    error = std::max(error, std::abs(centre.norm() - 1.0));
+  }
+  return error;
+}
+
+void TestSphere(Checks& check)
+{
+  // 66 points; angles of 22 degrees from edge to edge.
+  Refined sphere(MakeOctasphere(1.0, 2));
+  double last = 0.0;
+  for (int levels : { 0, 1, 2, 3 })
+  {
+    sphere.Refinement->SetNumberOfLevels(levels);
+    vtkPolyData* output = sphere.Update();
+    const double error = GetSphereError(output);
+    std::cout << "sphere, " << levels << " levels: " << error << "\n";
+    check(output->GetNumberOfCells() == 128 << (2 * levels), "levels part into four");
+    check(
+      levels == 0 || error < 0.3 * last, "each level brings it nearer to the sphere", error / last);
+    CheckClosed(output, "sphere", check);
+    last = error;
+  }
+  vtkPolyData* output = sphere.Update();
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    const Vector3d normal = GetTuple<3>(output, npr::names::Normals, i);
+    check((normal - Eigen::Map<Vector3d>(p).normalized()).norm() < 1e-4, "new normals are right");
+    check(std::abs(GetValue(output, npr::names::PrincipalCurvature1, i) - 1.0) < 1e-3 &&
+        std::abs(GetValue(output, npr::names::PrincipalCurvature2, i) - 1.0) < 1e-3,
+      "the curvature goes along");
+  }
+  check(output->GetPointData()->GetNormals() != nullptr, "the normals are active");
+
+  // By the length of edges.
+  sphere.Refinement->SetNumberOfLevels(-1);
+  sphere.Refinement->SetMaximumEdgeLength(0.05);
+  output = sphere.Update();
+  check(GetSphereError(output) < 5e-4, "fine edges make a round sphere", GetSphereError(output));
+  npr::TriangleMesh mesh(output);
+  for (const auto& corners : mesh.GetTriangles())
+  {
+    check((mesh.GetPoint(corners[0]) - mesh.GetPoint(corners[1])).norm() < 0.05f * 1.01f,
+      "edges are short enough");
+  }
+  CheckClosed(output, "sphere by edge length", check);
+  sphere.Refinement->SetMaximumNumberOfTriangles(1000);
+  output = sphere.Update();
+  check(output->GetNumberOfCells() <= 1000 && output->GetNumberOfCells() > 500, "the cap holds",
+    output->GetNumberOfCells());
+  CheckClosed(output, "capped sphere", check);
+}
+
+void TestCan(Checks& check)
+{
+  Refined can(MakeCan(1.0, 2.0, 12));
+  can.Refinement->SetMaximumEdgeLength(0.02);
+  vtkPolyData* output = can.Update();
+  CheckClosed(output, "can", check);
+  double roundness = 0.0;
+  double flatness = 0.0;
+  int rim = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    const Vector3d normal = GetTuple<3>(output, npr::names::Normals, i);
+    if (std::abs(normal.z()) > 0.5)
+    {
+      flatness = std::max(flatness, std::min(std::abs(p[2]), std::abs(p[2] - 2.0)));
+      check(std::abs(normal.z()) > 0.99999, "the caps' normals stay");
+    }
+    else
+    {
+      roundness = std::max(roundness, std::abs(std::hypot(p[0], p[1]) - 1.0));
+      rim += p[2] > 1.999;
+    }
+  }
+  check(flatness < 1e-6, "the caps stay flat", flatness);
+  check(roundness < 1e-4, "the side is round", roundness);
+  check(rim >= 192, "and so is its rim", rim);
+  check(output->GetNumberOfCells() < 20000, "only what is curved is refined",
+    output->GetNumberOfCells());
+}
+
+void TestFlat(Checks& check)
+{
+  Refined cube(MakeCube());
+  check(cube.Update()->GetNumberOfCells() == 12, "a cube needs no refinement");
+  cube.Refinement->SetNumberOfLevels(2);
+  vtkPolyData* output = cube.Update();
+  check(output->GetNumberOfCells() == 12 * 16, "but gets it when told");
+  CheckClosed(output, "cube", check);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    double off = 1.0;
+    for (double c : p)
+    {
+      off = std::min({ off, std::abs(c), std::abs(c - 1.0) });
+      check(c > -1e-6 && c < 1.0 + 1e-6, "no point leaves the cube");
+    }
+    check(off < 1e-6, "all stay on its faces", off);
+  }
+  // As one smooth patch its normals differ by more than 60 degrees: no bulging either.
+  Refined smooth(MakeCube(), 180.0);
+  smooth.Refinement->SetNumberOfLevels(2);
+  CheckClosed(smooth.Update(), "smooth cube", check);
+}
+
+void TestArrays(Checks& check)
+{
+  AnalyticSurface waves = MakeWaves(12);
+  vtkNew<vtkFloatArray> x;
+  x->SetName("X");
+  for (const Truth& truth : waves.Truths)
+  {
+    x->InsertNextValue(static_cast<float>(truth.Point.x()));
+  }
+  waves.Mesh->GetPointData()->SetScalars(x);
+  Refined refined(waves.Mesh);
+  refined.Refinement->SetNumberOfLevels(2);
+  vtkPolyData* output = refined.Update();
+  check(output->GetPointData()->GetScalars() != nullptr, "active arrays stay active");
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    worst = std::max(worst, std::abs(GetValue(output, "X", i) - p[0]));
+    const Vector3d normal = GetTuple<3>(output, npr::names::Normals, i);
+    const Vector3d e1 = GetTuple<3>(output, npr::names::PrincipalDirection1, i);
+    const npr::SymmetricTensor tensor = GetTuple<6>(output, npr::names::CurvatureTensor, i);
+    check(std::abs(normal.dot(e1)) < 1e-4, "principal directions lie in the tangent plane");
+    check(std::abs(npr::Evaluate(tensor, normal, normal)) < 1e-3, "and so does the tensor");
+    const bool onBorder = std::abs(std::abs(p[0]) - 1.0) < 1e-3 || p[1] < -0.999 || p[1] > 1.199;
+    check(
+      (GetValue(output, npr::names::BorderPoints, i) == 1.0) == onBorder, "borders are flagged");
+  }
+  check(worst < 0.05, "arrays are interpolated", worst);
+  refined.Stages.Derivatives->SetInputConnection(refined.Refinement->GetOutputPort());
+  refined.Stages.Derivatives->Update();
+  check(refined.Stages.Derivatives->GetOutput()->GetPointData()->HasArray(
+          npr::names::CurvatureDerivatives),
+    "derivatives follow");
+}
+}
+
+int TestSurfaceRefinement(int, char*[])
+{
+  Checks check;
+  TestSphere(check);
+  TestCan(check);
+  TestFlat(check);
+  TestArrays(check);
+  return check.GetResult();
+}

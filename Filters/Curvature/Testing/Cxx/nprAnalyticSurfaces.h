@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprAnalyticSurfaces.h
+ * @brief Meshes of surfaces whose normals, curvatures and derivatives are known by formula.
+ */
+#ifndef nprAnalyticSurfaces_h
+#define nprAnalyticSurfaces_h
+
+#include "nprTangentFrame.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <vector>
+
+namespace nprtest
+{
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// Counts and tells what failed.
+class Checks
+{
+public:
+  bool operator()(bool condition, const std::string& what, double value = 0.0)
+  {
+    if (!condition)
+    {
+      std::cerr << "FAILED: " << what << " (" << value << ")\n";
+      ++this->Failures;
+    }
+    return condition;
+  }
+  int GetResult() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
+
+private:
+  int Failures = 0;
+};
+
+/// What is true at a point. The forms refer to Frame, U x V = Normal.
+struct Truth
+{
+  Vector3d Point;
+  Vector3d Normal;
+  npr::TangentFrame Frame;
+  Vector3d Form;  // II: UU, UV, VV
+  Vector4d Cubic; // C: UUU, UUV, UVV, VVV
+};
+
+using Parametrisation = std::function<Truth(double u, double v)>;
+
+struct AnalyticSurface
+{
+  vtkSmartPointer<vtkPolyData> Mesh;
+  std::vector<Truth> Truths;
+};
+
+/// A grid over [u0, u1] x [v0, v1], each square parted by the same diagonal. Where the surface
+/// closes in a direction, the last row is the first.
+inline AnalyticSurface MakeSurface(const Parametrisation& surface, const double range[4], int nu,
+  int nv, bool closesInU, bool closesInV)
+{
+  AnalyticSurface result;
+  result.Mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  const int rows = nu + (closesInU ? 0 : 1);
+  const int columns = nv + (closesInV ? 0 : 1);
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int j = 0; j < columns; ++j)
+    {
+      result.Truths.push_back(surface(
+        range[0] + (range[1] - range[0]) * i / nu, range[2] + (range[3] - range[2]) * j / nv));
+      points->InsertNextPoint(result.Truths.back().Point.data());
+    }
+  }
+  for (int i = 0; i < nu; ++i)
+  {
+    for (int j = 0; j < nv; ++j)
+    {
+      const int i1 = (i + 1) % rows;
+      const int j1 = (j + 1) % columns;
+      const vtkIdType a = i * columns + j;
+      const vtkIdType b = i1 * columns + j;
+      const vtkIdType c = i1 * columns + j1;
+      const vtkIdType d = i * columns + j1;
+      const vtkIdType lower[3] = { a, b, c };
+      const vtkIdType upper[3] = { a, c, d };
+      cells->InsertNextCell(3, lower);
+      cells->InsertNextCell(3, upper);
+    }
+  }
+  result.Mesh->SetPoints(points);
+  result.Mesh->SetPolys(cells);
+  return result;
+}
+
+/// Around z; u around the axis, v around the tube. On the meridian circle the curvature is 1 / r,
+/// across it cos v / (R + r cos v); only the latter changes, and only along the meridian.
+inline AnalyticSurface MakeTorus(double R, double r, int nu, int nv)
+{
+  const double range[4] = { 0.0, 2.0 * Pi, 0.0, 2.0 * Pi };
+  return MakeSurface(
+    [=](double u, double v)
+    {
+      Truth truth;
+      const double rho = R + r * std::cos(v);
+      truth.Point = { rho * std::cos(u), rho * std::sin(u), r * std::sin(v) };
+      truth.Normal = { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) };
+      truth.Frame.U = { -std::sin(v) * std::cos(u), -std::sin(v) * std::sin(u), std::cos(v) };
+      truth.Frame.V = truth.Normal.cross(truth.Frame.U);
+      truth.Form = { 1.0 / r, 0.0, std::cos(v) / rho };
+      truth.Cubic = { 0.0, 0.0, -R * std::sin(v) / (r * rho * rho), 0.0 };
+      return truth;
+    },
+    range, nu, nv, true, true);
+}
+
+/// An open cylinder around z: 1 / r around, 0 along, and nothing changes.
+inline AnalyticSurface MakeCylinder(double r, double height, int nu, int nv)
+{
+  const double range[4] = { 0.0, 2.0 * Pi, 0.0, height };
+  return MakeSurface(
+    [=](double u, double z)
+    {
+      Truth truth;
+      truth.Normal = { std::cos(u), std::sin(u), 0.0 };
+      truth.Point = r * truth.Normal + Vector3d(0.0, 0.0, z);
+      truth.Frame.U = { -std::sin(u), std::cos(u), 0.0 };
+      truth.Frame.V = Vector3d::UnitZ();
+      truth.Form = { 1.0 / r, 0.0, 0.0 };
+      truth.Cubic = Vector4d::Zero();
+      return truth;
+    },
+    range, nu, nv, true, false);
+}
+
+/// A patch of a sphere between two latitudes: all curvatures are 1 / r.
+inline AnalyticSurface MakeSpherePatch(double r, int nu, int nv)
+{
+  const double range[4] = { 0.0, 2.0, -0.7, 0.8 };
+  return MakeSurface(
+    [=](double u, double v)
+    {
+      Truth truth;
+      truth.Normal = { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) };
+      truth.Point = r * truth.Normal;
+      truth.Frame = npr::MakeTangentFrame(truth.Normal);
+      truth.Form = { 1.0 / r, 0.0, 1.0 / r };
+      truth.Cubic = Vector4d::Zero();
+      return truth;
+    },
+    range, nu, nv, false, false);
+}
+
+/// The derivatives of a height: x, y; xx, xy, yy; xxx, xxy, xyy, yyy.
+struct HeightJet
+{
+  double Value;
+  double First[2];
+  double Second[3];
+  double Third[4];
+};
+
+/**
+ * The graph z = f(x, y), normal upwards. With W^2 = 1 + fx^2 + fy^2 the second fundamental form in
+ * the basis of the coordinates is -f_ij / W (convex upwards is positive), the Christoffel symbols
+ * are f_l f_ij / W^2, and so the covariant derivative of the form is C_ijk = -f_ijk / W + (f_ij g_k
+ * + f_ik g_j + f_jk g_i) / W^3 with g_i = f_l f_li.
+ */
+inline Truth MakeHeightTruth(double x, double y, const HeightJet& f)
+{
+  Truth truth;
+  const double w = std::sqrt(1.0 + f.First[0] * f.First[0] + f.First[1] * f.First[1]);
+  truth.Point = { x, y, f.Value };
+  truth.Normal = Vector3d(-f.First[0], -f.First[1], 1.0) / w;
+  truth.Frame = npr::MakeTangentFrame(truth.Normal);
+  // A tangent vector's components in the coordinate basis are its x and y.
+  const double* const s = f.Second;
+  const double g[2] = { f.First[0] * s[0] + f.First[1] * s[1],
+    f.First[0] * s[1] + f.First[1] * s[2] };
+  const auto form = [&](const Vector3d& a, const Vector3d& b)
+  {
+    return -(s[0] * a.x() * b.x() + s[1] * (a.x() * b.y() + a.y() * b.x()) + s[2] * a.y() * b.y()) /
+      w;
+  };
+  const auto cubic = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c)
+  {
+    const double third = f.Third[0] * a.x() * b.x() * c.x() +
+      f.Third[1] * (a.x() * b.x() * c.y() + a.x() * b.y() * c.x() + a.y() * b.x() * c.x()) +
+      f.Third[2] * (a.x() * b.y() * c.y() + a.y() * b.x() * c.y() + a.y() * b.y() * c.x()) +
+      f.Third[3] * a.y() * b.y() * c.y();
+    const auto slope = [&](const Vector3d& d) { return g[0] * d.x() + g[1] * d.y(); };
+    return -third / w -
+      (form(a, b) * slope(c) + form(a, c) * slope(b) + form(b, c) * slope(a)) / (w * w);
+  };
+  const Vector3d& u = truth.Frame.U;
+  const Vector3d& v = truth.Frame.V;
+  truth.Form = { form(u, u), form(u, v), form(v, v) };
+  truth.Cubic = { cubic(u, u, u), cubic(u, u, v), cubic(u, v, v), cubic(v, v, v) };
+  return truth;
+}
+
+/// The saddle z = x y.
+inline AnalyticSurface MakeSaddle(int n)
+{
+  const double range[4] = { -0.8, 0.8, -0.8, 0.8 };
+  return MakeSurface(
+    [](double x, double y) {
+      return MakeHeightTruth(x, y, { x * y, { y, x }, { 0, 1, 0 }, { 0, 0, 0, 0 } });
+    },
+    range, n, n, false, false);
+}
+
+/// z = 0.3 sin 2x cos y.
+inline AnalyticSurface MakeWaves(int n)
+{
+  const double range[4] = { -1.0, 1.0, -1.0, 1.2 };
+  return MakeSurface(
+    [](double x, double y)
+    {
+      const double s = 0.3 * std::sin(2.0 * x);
+      const double c = 0.3 * std::cos(2.0 * x);
+      const double cy = std::cos(y);
+      const double sy = std::sin(y);
+      return MakeHeightTruth(x, y,
+        { s * cy, { 2.0 * c * cy, -s * sy }, { -4.0 * s * cy, -2.0 * c * sy, -s * cy },
+          { -8.0 * c * cy, 4.0 * s * sy, -2.0 * c * cy, s * sy } });
+    },
+    range, n, n, false, false);
+}
+
+/// A sphere of about equal triangles: an octahedron whose triangles are parted into four, level
+/// times, the midpoints put on the sphere. A point set of its own for each triangle if not welded.
+inline vtkSmartPointer<vtkPolyData> MakeOctasphere(double r, int level)
+{
+  using Triangle = std::array<Vector3d, 3>;
+  std::vector<Triangle> triangles;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    const Vector3d a((octant & 1) ? -1.0 : 1.0, 0.0, 0.0);
+    const Vector3d b(0.0, (octant & 2) ? -1.0 : 1.0, 0.0);
+    const Vector3d c(0.0, 0.0, (octant & 4) ? -1.0 : 1.0);
+    const bool outward = a.cross(b).dot(c) > 0.0;
+    triangles.push_back(outward ? Triangle{ a, b, c } : Triangle{ a, c, b });
+  }
+  for (int l = 0; l < level; ++l)
+  {
+    std::vector<Triangle> finer;
+    for (const Triangle& t : triangles)
+    {
+      const Vector3d m0 = (t[0] + t[1]).normalized();
+      const Vector3d m1 = (t[1] + t[2]).normalized();
+      const Vector3d m2 = (t[2] + t[0]).normalized();
+      finer.insert(
+        finer.end(), { { t[0], m0, m2 }, { m0, t[1], m1 }, { m2, m1, t[2] }, { m0, m1, m2 } });
+    }
+    triangles.swap(finer);
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const Triangle& t : triangles)
+  {
+    cells->InsertNextCell(3);
+    for (const Vector3d& corner : t)
+    {
+      const Vector3d p = r * corner;
+      cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+    }
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+/// A closed cylinder around z with its caps as fans.
+inline vtkSmartPointer<vtkPolyData> MakeCan(double r, double height, int sides)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < sides; ++i)
+  {
+    const double angle = 2.0 * Pi * i / sides;
+    points->InsertNextPoint(r * std::cos(angle), r * std::sin(angle), 0.0);
+    points->InsertNextPoint(r * std::cos(angle), r * std::sin(angle), height);
+  }
+  const vtkIdType bottom = points->InsertNextPoint(0.0, 0.0, 0.0);
+  const vtkIdType top = points->InsertNextPoint(0.0, 0.0, height);
+  for (int i = 0; i < sides; ++i)
+  {
+    const vtkIdType a = 2 * i;
+    const vtkIdType b = 2 * ((i + 1) % sides);
+    const vtkIdType triangles[4][3] = { { a, b, b + 1 }, { a, b + 1, a + 1 }, { b, a, bottom },
+      { a + 1, b + 1, top } };
+    for (const auto& triangle : triangles)
+    {
+      cells->InsertNextCell(3, triangle);
+    }
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+/// Two triangles for each face of a cube, and 8 points.
+inline vtkSmartPointer<vtkPolyData> MakeCube()
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (int i = 0; i < 8; ++i)
+  {
+    points->InsertNextPoint(i & 1, (i >> 1) & 1, i >> 2);
+  }
+  const vtkIdType quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+    { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+  for (const auto& q : quads)
+  {
+    const vtkIdType triangles[2][3] = { { q[0], q[1], q[2] }, { q[0], q[2], q[3] } };
+    for (const auto& triangle : triangles)
+    {
+      cells->InsertNextCell(3, triangle);
+    }
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+}
+
+#endif
