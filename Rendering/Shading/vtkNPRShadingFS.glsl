@@ -22,12 +22,18 @@ struct NprLight
   float attenuation; // by distance and cone, in [0, 1]
 };
 
-uniform int nprLightCount;
-uniform vec3 nprLightColor[NPR_MAXIMUM_LIGHTS];
-uniform vec3 nprLightAxis[NPR_MAXIMUM_LIGHTS];        // unit, the way that the light shines
-uniform vec4 nprLightPosition[NPR_MAXIMUM_LIGHTS];    // w: 1 for a light at a place, 0 for a directional one
-uniform vec3 nprLightAttenuation[NPR_MAXIMUM_LIGHTS]; // constant, linear, quadratic
-uniform vec2 nprLightCone[NPR_MAXIMUM_LIGHTS];        // cosine of the cone's angle (-2: no cone), exponent
+// How many lights there are and of which kind is known when the shader is built, as VTK does it:
+// NPR_LIGHT_COUNT, and NPR_LIGHT_KIND 1 for one headlight, 2 for directional lights, 3 for any.
+const int nprLightCount = NPR_LIGHT_COUNT;
+uniform vec3 nprLightColor[NPR_LIGHT_COUNT];
+#if NPR_LIGHT_KIND > 1
+uniform vec3 nprLightAxis[NPR_LIGHT_COUNT]; // unit, the way that the light shines
+#endif
+#if NPR_LIGHT_KIND > 2
+uniform vec4 nprLightPosition[NPR_LIGHT_COUNT];    // w: 1 for a light at a place, 0 for a directional one
+uniform vec3 nprLightAttenuation[NPR_LIGHT_COUNT]; // constant, linear, quadratic
+uniform vec2 nprLightCone[NPR_LIGHT_COUNT];        // cosine of the cone's angle (-2: no cone), exponent
+#endif
 uniform int nprParallelProjection;
 
 vec3 nprToEye(vec3 position)
@@ -49,19 +55,45 @@ NprSurface nprNeighbour(NprSurface s, int axis)
 // Unit vector from a place to light i.
 vec3 nprToLight(int i, vec3 position)
 {
-  if (nprLightPosition[i].w < 0.5)
+#if NPR_LIGHT_KIND > 2
+  if (nprLightPosition[i].w > 0.5)
   {
-    return -nprLightAxis[i];
+    vec3 toLight = nprLightPosition[i].xyz - position;
+    return toLight * inversesqrt(max(dot(toLight, toLight), 1e-20));
   }
-  vec3 toLight = nprLightPosition[i].xyz - position;
-  return toLight * inversesqrt(max(dot(toLight, toLight), 1e-20));
+#endif
+#if NPR_LIGHT_KIND > 1
+  return -nprLightAxis[i];
+#else
+  return vec3(0.0, 0.0, 1.0);
+#endif
 }
 
+#if NPR_LIGHT_KIND > 2
 // The cosine to the axis of spot light i.
 float nprConeCosine(int i, vec3 position)
 {
   return -dot(nprToLight(i, position), nprLightAxis[i]);
 }
+
+// How much of a light at a place reaches the surface.
+float nprAttenuation(int i, NprSurface s)
+{
+  float range = distance(nprLightPosition[i].xyz, s.position);
+  vec3 a = nprLightAttenuation[i];
+  float attenuation = min(1.0, 1.0 / max(a.x + range * (a.y + range * a.z), 1e-6));
+  if (nprLightCone[i].x > -1.5)
+  {
+    // The rim of the cone is as wide as a pixel, so that it is not jagged.
+    float inside = nprConeCosine(i, s.position);
+    float rim = length(vec2(nprConeCosine(i, s.position + s.positionStep[0]) - inside,
+      nprConeCosine(i, s.position + s.positionStep[1]) - inside));
+    attenuation *= clamp((inside - nprLightCone[i].x) / max(rim, 1e-7) + 0.5, 0.0, 1.0) *
+      pow(max(inside, 1e-5), nprLightCone[i].y);
+  }
+  return attenuation;
+}
+#endif
 
 // Light i in [0, nprLightCount), as it reaches the surface.
 NprLight nprGetLight(int i, NprSurface s)
@@ -70,22 +102,12 @@ NprLight nprGetLight(int i, NprSurface s)
   light.direction = nprToLight(i, s.position);
   light.color = nprLightColor[i];
   light.attenuation = 1.0;
+#if NPR_LIGHT_KIND > 2
   if (nprLightPosition[i].w > 0.5)
   {
-    float far = distance(nprLightPosition[i].xyz, s.position);
-    vec3 a = nprLightAttenuation[i];
-    light.attenuation = min(1.0, 1.0 / max(a.x + far * (a.y + far * a.z), 1e-6));
-    if (nprLightCone[i].x > -1.5)
-    {
-      // The rim of the cone is as wide as a pixel, so that it is not jagged.
-      float inside = nprConeCosine(i, s.position);
-      float rim = length(vec2(nprConeCosine(i, s.position + s.positionStep[0]) - inside,
-        nprConeCosine(i, s.position + s.positionStep[1]) - inside));
-      light.attenuation *=
-        clamp((inside - nprLightCone[i].x) / max(rim, 1e-7) + 0.5, 0.0, 1.0) *
-        pow(max(inside, 1e-5), nprLightCone[i].y);
-    }
+    light.attenuation = nprAttenuation(i, s);
   }
+#endif
   return light;
 }
 

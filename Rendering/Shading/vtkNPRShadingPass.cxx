@@ -106,17 +106,12 @@ struct MapperAccess : vtkOpenGLPolyDataMapper
   }
 };
 
-std::string GetDeclarations(vtkNPRShadingStyle* style)
-{
-  return "#define NPR_MAXIMUM_LIGHTS " + std::to_string(vtkNPRShadingPass::MaximumNumberOfLights) +
-    "\n" + vtkNPRShadingFS + "\n#line 0\n" + style->GetCode() + "\n";
-}
-
 // A renderer's lights in view coordinates, as vtkNPRShadingFS.glsl declares them.
 struct Lights
 {
   static constexpr int Maximum = vtkNPRShadingPass::MaximumNumberOfLights;
   int Count = 0;
+  int Kind = 1; // as vtkNPRShadingFS.glsl says
   bool TooMany = false;
   float Color[Maximum][3];
   float Axis[Maximum][3];
@@ -160,6 +155,8 @@ private:
     view->TransformPoint(position, position);
 
     const bool positional = light->GetPositional() != 0;
+    const bool simple = this->Count == 1 && light->LightTypeIsHeadlight();
+    this->Kind = std::max(this->Kind, positional ? 3 : simple ? 1 : 2);
     const bool spot = positional && light->GetConeAngle() < 90.0;
     for (int c = 0; c < 3; ++c)
     {
@@ -175,6 +172,13 @@ private:
     this->Cone[i][1] = static_cast<float>(light->GetExponent());
   }
 };
+
+std::string GetDeclarations(vtkNPRShadingStyle* style, int lightCount, int lightKind)
+{
+  return "#define NPR_LIGHT_COUNT " + std::to_string(std::max(lightCount, 1)) +
+    "\n#define NPR_LIGHT_KIND " + std::to_string(lightKind) + "\n" + vtkNPRShadingFS +
+    "\n#line 0\n" + style->GetCode() + "\n";
+}
 
 bool Contains(const std::string& text, const char* part)
 {
@@ -330,7 +334,7 @@ void vtkNPRShadingPass::CheckCode()
   this->CodeIsGood = true;
   vtkNew<vtkShader> shader;
   shader->SetType(vtkShader::Fragment);
-  shader->SetSource("#version 150\n" + GetDeclarations(this->Style) +
+  shader->SetSource("#version 150\n" + GetDeclarations(this->Style, MaximumNumberOfLights, 3) +
     "uniform NprSurface nprSurface;\n"
     "out vec4 nprColor;\n"
     "void main() { nprColor = vec4(nprShade(nprSurface), nprSurface.opacity); }\n");
@@ -386,9 +390,11 @@ bool vtkNPRShadingPass::PostReplaceShaderValues(std::string& vertexShader,
     return true;
   }
   std::string shaded = fragmentShader;
+  // VTK builds shaders anew when number or kind of lights change.
+  const Lights lights(this->Renderer);
   const bool smooth = Contains(shaded, "in vec3 normalVCVSOutput;");
-  vtkShaderProgram::Substitute(
-    shaded, DeclarationTag, NormalMacro[smooth] + GetDeclarations(this->Style), false);
+  vtkShaderProgram::Substitute(shaded, DeclarationTag,
+    NormalMacro[smooth] + GetDeclarations(this->Style, lights.Count, lights.Kind), false);
   vtkShaderProgram::Substitute(shaded, UniformFlowTag, UniformFlow, false);
   vtkShaderProgram::Substitute(shaded, ImplementationTag, Implementation, false);
   vtkShaderProgram::Substitute(shaded, "NPR_BASE_COLOR",
@@ -424,7 +430,6 @@ bool vtkNPRShadingPass::SetShaderParameters(
   }
   program->SetUniformi(
     "nprParallelProjection", this->Renderer->GetActiveCamera()->GetParallelProjection());
-  program->SetUniformi("nprLightCount", lights.Count);
   if (lights.Count > 0)
   {
     program->SetUniform3fv("nprLightColor", lights.Count, lights.Color);

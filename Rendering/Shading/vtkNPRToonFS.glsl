@@ -1,32 +1,20 @@
-// A ramp of n equal steps over [0, 1] comes as its integral at the n + 1 ends of the steps, so that
-// its mean over the width of a pixel is one difference: tone borders are smooth at any resolution.
+// A ramp is n equal steps over [0, 1]; the first and the last go on beyond the ends.
 uniform sampler2D nprToonDiffuseRamp;
 uniform sampler2D nprToonSpecularRamp;
 uniform float nprToonSmoothing; // pixels
 
-// The integral from 0 to x; the first and the last step go on beyond the ends.
-vec3 nprToonIntegral(sampler2D ramp, float x)
+// The ramp's mean over the smoothing width around x, which changes so much to the next pixels. The
+// mean is taken over one border at most, so over no more than a step.
+vec3 nprToonTone(sampler2D ramp, float x, vec2 change)
 {
-  int steps = textureSize(ramp, 0).x - 1;
-  float place = x * float(steps);
-  int i = clamp(int(floor(place)), 0, steps - 1);
-  vec3 begin = texelFetch(ramp, ivec2(i, 0), 0).rgb;
-  vec3 end = texelFetch(ramp, ivec2(i + 1, 0), 0).rgb;
-  return begin + (place - float(i)) * (end - begin);
-}
-
-// The tone at x, whose values at the next pixels are x + step.
-vec3 nprToonTone(sampler2D ramp, float x, vec2 step)
-{
-  float width = min(nprToonSmoothing * length(step), 1.0);
-  if (width < 1e-4)
-  {
-    int steps = textureSize(ramp, 0).x - 1;
-    int i = clamp(int(floor(x * float(steps))), 0, steps - 1);
-    return float(steps) *
-      (texelFetch(ramp, ivec2(i + 1, 0), 0).rgb - texelFetch(ramp, ivec2(i, 0), 0).rgb);
-  }
-  return (nprToonIntegral(ramp, x + 0.5 * width) - nprToonIntegral(ramp, x - 0.5 * width)) / width;
+  int last = textureSize(ramp, 0).x - 1;
+  float steps = float(last + 1);
+  float width = clamp(nprToonSmoothing * length(change) * steps, 1e-6, 1.0);
+  float end = x * steps + 0.5 * width;
+  int border = int(floor(end));
+  vec3 tone = texelFetch(ramp, ivec2(clamp(border, 0, last), 0), 0).rgb;
+  vec3 before = texelFetch(ramp, ivec2(clamp(border - 1, 0, last), 0), 0).rgb;
+  return mix(before, tone, clamp((end - float(border)) / width, 0.0, 1.0));
 }
 
 // The two arguments of the ramps: n.l and (n.h)^s.

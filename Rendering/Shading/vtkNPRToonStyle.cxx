@@ -38,37 +38,37 @@ std::vector<double> EvenTones(int count)
   return tones;
 }
 
-// The ramp's integral at the ends of its steps, as three floats each.
-std::vector<float> Integrate(vtkDataArray* ramp, const std::vector<double>& fallback)
+// The ramp as red, green and blue of each step.
+std::vector<float> Colors(vtkDataArray* ramp, const std::vector<double>& fallback)
 {
-  if (ramp && ramp->GetNumberOfTuples() == 0)
+  std::vector<float> colors;
+  if (!ramp || ramp->GetNumberOfTuples() == 0) // it may have been emptied after it was given
   {
-    ramp = nullptr; // emptied after it was given
+    for (double tone : fallback)
+    {
+      colors.insert(colors.end(), 3, static_cast<float>(tone));
+    }
+    return colors;
   }
-  const int components = ramp ? ramp->GetNumberOfComponents() : 1;
-  const vtkIdType tones = ramp ? ramp->GetNumberOfTuples() : vtkIdType(fallback.size());
-  std::vector<float> sums(3);
-  double sum[3] = { 0.0, 0.0, 0.0 };
-  for (vtkIdType i = 0; i < tones; ++i)
+  const bool colored = ramp->GetNumberOfComponents() == 3;
+  for (vtkIdType i = 0; i < ramp->GetNumberOfTuples(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const double tone =
-        ramp ? ramp->GetComponent(i, components == 3 ? c : 0) : fallback[static_cast<size_t>(i)];
-      sum[c] += (std::isfinite(tone) ? tone : 0.0) / static_cast<double>(tones);
-      sums.push_back(static_cast<float>(sum[c]));
+      const double tone = ramp->GetComponent(i, colored ? c : 0);
+      colors.push_back(std::isfinite(tone) ? static_cast<float>(tone) : 0.0f);
     }
   }
-  return sums;
+  return colors;
 }
 
-void Upload(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, std::vector<float> sums)
+void Upload(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, std::vector<float> colors)
 {
   texture->SetContext(window);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->Create2DFromRaw(
-    static_cast<unsigned int>(sums.size() / 3), 1, 3, VTK_FLOAT, sums.data());
+    static_cast<unsigned int>(colors.size() / 3), 1, 3, VTK_FLOAT, colors.data());
 }
 
 std::vector<double> Levels(vtkDataArray* ramp, const std::vector<double>& fallback)
@@ -192,9 +192,8 @@ void vtkNPRToonStyle::Activate(vtkOpenGLRenderWindow* window)
   if (this->DiffuseTexture->GetContext() != window || this->DiffuseTexture->GetHandle() == 0 ||
     this->UploadTime < this->GetMTime())
   {
-    Upload(
-      this->DiffuseTexture, window, Integrate(this->DiffuseRamp, EvenTones(this->NumberOfTones)));
-    Upload(this->SpecularTexture, window, Integrate(this->SpecularRamp, HardHighlight));
+    Upload(this->DiffuseTexture, window, Colors(this->DiffuseRamp, EvenTones(this->NumberOfTones)));
+    Upload(this->SpecularTexture, window, Colors(this->SpecularRamp, HardHighlight));
     this->UploadTime.Modified();
   }
   this->DiffuseTexture->Activate();

@@ -10,7 +10,7 @@
  * 1]; the first goes on below 0.
  *
  * Borders between tones are antialiased: the shader takes the mean of the ramp over
- * SmoothingWidth pixels, exactly, from the ramp's integral in a texture.
+ * SmoothingWidth pixels, or one step of the ramp if that is less.
  *
  * @sa vtkNPRShadingPass
  */

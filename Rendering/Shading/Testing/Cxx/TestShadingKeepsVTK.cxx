@@ -100,7 +100,6 @@ struct Scene
 {
   std::string Name;
   std::function<void(Stage&)> Build;
-  int Size = 200;
 };
 
 const std::vector<Scene> Scenes = {
@@ -356,9 +355,10 @@ int Leading(const std::array<int, 3>& color)
 int TestShadingKeepsVTK(int argc, char* argv[])
 {
   Checker check(argc, argv);
+  Stage stage;
   for (const Scene& scene : Scenes)
   {
-    Stage stage;
+    stage.Clear();
     scene.Build(stage);
     const Image plain = stage.Render(check.Folder + "/ShadingVTK" + scene.Name + ".png");
 
@@ -413,7 +413,7 @@ int TestShadingKeepsVTK(int argc, char* argv[])
 
   // Surface and lines in one mapper: lines stay VTK's.
   {
-    Stage stage;
+    stage.Clear();
     vtkNew<vtkPolyData> lines;
     vtkNew<vtkPoints> points;
     points->InsertNextPoint(-0.9, -0.9, 0);

@@ -128,14 +128,25 @@ struct Stage
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(size, size);
     this->Window->AddRenderer(this->Renderer);
+    this->Clear();
+  }
+
+  /// Back to an empty stage.
+  void Clear()
+  {
+    this->Renderer->SetPass(nullptr);
+    this->Renderer->RemoveAllViewProps();
+    this->Renderer->RemoveAllLights();
+    this->Renderer->SetUseDepthPeeling(0);
     this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    vtkNew<vtkCamera> camera;
     camera->SetPosition(0, 0, 4);
     camera->SetFocalPoint(0, 0, 0);
     camera->SetViewUp(0, 1, 0);
     camera->SetViewAngle(30);
     camera->SetParallelScale(1.1);
     camera->SetClippingRange(1, 10);
+    this->Renderer->SetActiveCamera(camera);
   }
 
   vtkActor* Add(vtkAlgorithmOutput* surface)
