@@ -340,7 +340,8 @@ void vtkNPRShadingPass::CheckCode()
     "void main() { nprColor = vec4(nprShade(nprSurface), nprSurface.opacity); }\n");
   if (!shader->Compile())
   {
-    this->ReportBadCode(shader->GetError());
+    const std::string log = shader->GetError(); // ends in empty lines
+    this->ReportBadCode(log.substr(0, log.find_last_not_of(" \n") + 1));
   }
   shader->Cleanup();
 }
