@@ -10,3 +10,8 @@ endif ()
 add_library(npr_openvdb INTERFACE)
 target_include_directories(npr_openvdb SYSTEM INTERFACE "${OpenVDB_INCLUDE_DIR}")
 target_link_libraries(npr_openvdb INTERFACE "${OpenVDB_LIBRARY}" TBB::tbb)
+# OpenVDB's headers convert half floats by Imath's table, where it was built with Imath.
+find_package(Imath CONFIG QUIET)
+if (TARGET Imath::Imath)
+  target_link_libraries(npr_openvdb INTERFACE Imath::Imath)
+endif ()

@@ -84,6 +84,13 @@ void ModelFile::AddPart(vtkPolyData* surface)
   this->Parts.push_back(part);
 }
 
+std::string Printable(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
+  return text;
+}
+
 std::string ReadBytes(const std::string& path)
 {
   // zlib reads plain files as they are.

@@ -16,13 +16,17 @@
 #include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
+class vtkDataSet;
 class vtkEventForwarderCommand;
+class vtkImageData;
+class vtkPointSet;
 
 namespace npr
 {
@@ -86,6 +90,15 @@ void ReadMetaImage(ModelFile& file);
 void ReadVDB(ModelFile& file);
 ///@}
 
+/// Throws where a volume's header announces more voxels than that many bytes can hold.
+void CheckSize(vtkAlgorithm* reader, std::uint64_t bytes);
+/// Adds the surface at the file's iso value (0 for a level set without one), facing towards smaller
+/// values (a level set's: towards larger). The matrix takes the image's coordinates to the world's.
+void AddIsoSurface(
+  ModelFile& file, vtkImageData* image, vtkMatrix4x4* matrix = nullptr, bool isLevelSet = false);
+/// The text with '?' for what can not be printed, so that damage to a file does not damage a
+/// message.
+std::string Printable(std::string text);
 /// The whole file, unpacked if it is compressed by gzip.
 std::string ReadBytes(const std::string& path);
 /// A surface's colour as VTK's plain lighting shows it: diffuse alone, so that styles see the

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprMessageCapture.h"
 
+#include "nprFileFormats.h"
+
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 
@@ -42,7 +44,7 @@ std::string OneLine(std::string text)
   const auto last = text.find_last_not_of(" .");
   text = first == std::string::npos ? "" : text.substr(first, last - first + 1);
   const std::size_t longest = 200;
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+  return Printable(text.size() > longest ? text.substr(0, longest) + "..." : text);
 }
 
 std::vector<std::string> OneLineEach(const std::vector<std::string>& texts)

@@ -241,8 +241,8 @@ Corner OBJParser::ParseCorner(std::string_view word, std::size_t line) const
     if (result.ec != std::errc() || index < 1 || index > size)
     {
       Fail(line,
-        "a face refers to " + std::string(kinds[i]) + " '" + std::string(digits.substr(0, 20)) +
-          "', but " + std::to_string(size) +
+        "a face refers to " + std::string(kinds[i]) + " '" +
+          Printable(std::string(digits.substr(0, 20))) + "', but " + std::to_string(size) +
           " stand before it; the file is damaged, export it again");
     }
     corner[i] = index - 1;

@@ -12,18 +12,29 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
+#include <cstdlib>
+#include <iterator>
 #include <sstream>
 
 namespace npr
 {
 namespace
 {
+// VTK cuts longer lines.
+constexpr std::size_t LongestLine = 4090;
+
 struct PLYProperty
 {
+  std::string Name;
   int Size = 0;      // bytes
   int CountSize = 0; // bytes of a list's count, 0 where it is no list
   bool CountIsSigned = false;
+  bool IsSigned = false;
+
+  bool IsIndices() const
+  {
+    return this->CountSize > 0 && (this->Name == "vertex_indices" || this->Name == "vertex_index");
+  }
 };
 
 struct PLYElement
@@ -31,6 +42,12 @@ struct PLYElement
   std::string Name;
   long long Count = 0;
   std::vector<PLYProperty> Properties;
+
+  bool Has(const char* name, bool asList) const
+  {
+    return std::any_of(this->Properties.begin(), this->Properties.end(),
+      [&](const PLYProperty& p) { return p.Name == name && (p.CountSize > 0) == asList; });
+  }
 };
 
 int TypeSize(const std::string& type)
@@ -46,7 +63,7 @@ int TypeSize(const std::string& type)
       return size;
     }
   }
-  throw ModelError("its header names the unknown type '" + type.substr(0, 20) +
+  throw ModelError("its header names the unknown type '" + Printable(type.substr(0, 20)) +
     "'; the file is damaged or not a PLY");
 }
 
@@ -63,7 +80,7 @@ public:
       {
         if (!(this->IsAscii ? this->SkipLine(element) : this->SkipBinary(element)))
         {
-          throw ModelError("it ends too early or is damaged: " + element.Name + " " +
+          throw ModelError("it ends too early or is damaged: " + Printable(element.Name) + " " +
             std::to_string(i) + " of " + std::to_string(element.Count) +
             " is not complete; copy or export it again");
         }
@@ -84,8 +101,11 @@ public:
 
 private:
   void ReadHeader();
+  void CheckElements() const;
   bool SkipLine(const PLYElement& element);
   bool SkipBinary(const PLYElement& element);
+  long long Decode(int size, bool isSigned);
+  void CheckIndex(const PLYElement& element, long long index) const;
 
   const std::string& Bytes;
   std::size_t At = 0;
@@ -102,59 +122,110 @@ void PLYCheck::ReadHeader()
     throw ModelError(
       "it has no PLY header ('ply' ... 'end_header'); the file is damaged or not a PLY");
   }
+  bool hasFormat = false;
   std::istringstream lines(this->Bytes.substr(0, end));
   for (std::string line; std::getline(lines, line);)
   {
-    std::istringstream words(line);
-    std::string keyword;
-    std::string type;
-    words >> keyword;
-    if (keyword == "format")
+    std::istringstream stream(line);
+    const std::vector<std::string> words{ std::istream_iterator<std::string>(stream), {} };
+    const std::string keyword = words.empty() ? "" : words[0];
+    const std::size_t count = words.size();
+    if (keyword.empty() || keyword == "ply" || keyword == "comment" || keyword == "obj_info")
     {
-      words >> type;
-      this->IsAscii = type == "ascii";
-      this->IsBigEndian = type == "binary_big_endian";
+      continue;
     }
-    else if (keyword == "element")
+    const bool isList = count > 1 && words[1] == "list";
+    if (keyword == "format" && count == 3)
     {
-      PLYElement element;
-      words >> element.Name >> element.Count;
-      if (!words || element.Count < 0)
-      {
-        throw ModelError("its header has a wrong count in '" + line.substr(0, 60) + "'");
-      }
-      this->Elements.push_back(element);
+      this->IsAscii = words[1] == "ascii";
+      this->IsBigEndian = words[1] == "binary_big_endian";
+      hasFormat = this->IsAscii || this->IsBigEndian || words[1] == "binary_little_endian";
     }
-    else if (keyword == "property" && !this->Elements.empty())
+    else if (keyword == "element" && count == 3 && words[2].size() < 10 &&
+      words[2].find_first_not_of("0123456789") == std::string::npos)
+    {
+      this->Elements.push_back({ words[1], std::stoll(words[2]), {} });
+    }
+    else if (keyword == "property" && count == (isList ? 5u : 3u) && !this->Elements.empty())
     {
       PLYProperty property;
-      words >> type;
-      if (type == "list")
+      property.Name = words.back();
+      property.Size = TypeSize(words[count - 2]);
+      property.CountSize = isList ? TypeSize(words[2]) : 0;
+      property.CountIsSigned = isList && words[2].front() != 'u';
+      property.IsSigned = words[count - 2].front() != 'u';
+      if (property.IsIndices() && (property.Size > 4 || words[count - 2].front() == 'f'))
       {
-        words >> type;
-        property.CountSize = TypeSize(type);
-        property.CountIsSigned = type.front() != 'u';
-        words >> type;
+        throw ModelError("its header gives indices the type '" + words[count - 2] +
+          "'; the file is damaged, export it again");
       }
-      property.Size = TypeSize(type);
       this->Elements.back().Properties.push_back(property);
     }
-  }
-  for (const PLYElement& element : this->Elements)
-  {
-    if (element.Properties.empty() && element.Count > 0)
+    else
     {
-      throw ModelError(
-        "its header gives '" + element.Name + "' no properties; the file is damaged");
+      throw ModelError("its header has the wrong line '" + Printable(line.substr(0, 60)) +
+        "'; the file is damaged or not a PLY");
     }
   }
+  if (!hasFormat)
+  {
+    throw ModelError("its header has no known format; the file is damaged or not a PLY");
+  }
+  this->CheckElements();
   // A header may end its lines as Windows does.
   this->At = std::min(this->Bytes.find('\n', end), this->Bytes.size() - 1) + 1;
+}
+
+// What VTK's reader asks for without making sure that it is there.
+void PLYCheck::CheckElements() const
+{
+  bool hasUnknown = false;
+  for (const PLYElement& element : this->Elements)
+  {
+    const bool isVertex = element.Name == "vertex";
+    const bool isFace = element.Name == "face";
+    const bool isKnown = isVertex || isFace || element.Name == "tristrips";
+    if (isKnown && hasUnknown)
+    {
+      throw ModelError("'" + element.Name +
+        "' stands behind elements that VTK can not skip; export it "
+        "with vertices and faces first");
+    }
+    hasUnknown = hasUnknown || !isKnown;
+    const bool isComplete = isVertex
+      ? element.Has("x", false) && element.Has("y", false) && element.Has("z", false)
+      : !isKnown || element.Has("vertex_indices", true) || element.Has("vertex_index", true);
+    if (element.Properties.empty() || !isComplete)
+    {
+      throw ModelError("its header lacks properties of '" + Printable(element.Name) +
+        "' (x, y, z; the list vertex_indices); the file is damaged, export it again");
+    }
+  }
+  if (this->GetCount("vertex") == 0 || this->GetCount("face") + this->GetCount("tristrips") == 0)
+  {
+    throw ModelError("there are no triangles in it (" + std::to_string(this->GetCount("vertex")) +
+      " points); vtkNPR draws surfaces, so export one");
+  }
+}
+
+// VTK's reader looks points up while it reads, whether they are there or not.
+void PLYCheck::CheckIndex(const PLYElement& element, long long index) const
+{
+  const bool isEndOfStrip = element.Name == "tristrips" && index == -1;
+  if (!isEndOfStrip && (index < 0 || index >= this->GetCount("vertex")))
+  {
+    throw ModelError("a face refers to point " + std::to_string(index) + ", but there are " +
+      std::to_string(this->GetCount("vertex")) + " points; the file is damaged, export it again");
+  }
 }
 
 bool PLYCheck::SkipLine(const PLYElement& element)
 {
   const std::size_t end = std::min(this->Bytes.find('\n', this->At), this->Bytes.size());
+  if (this->At >= this->Bytes.size() || end - this->At > LongestLine)
+  {
+    return false;
+  }
   const char* at = this->Bytes.data() + this->At;
   const char* last = this->Bytes.data() + end;
   const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -177,17 +248,22 @@ bool PLYCheck::SkipLine(const PLYElement& element)
     if (property.CountSize > 0)
     {
       const char* word = nextWord();
-      words = word ? std::atoll(std::string(word, at).c_str()) : -1;
-      if (words < 0)
+      words = word ? std::strtoll(std::string(word, at).c_str(), nullptr, 10) : -1;
+    }
+    if (words < 0)
+    {
+      return false;
+    }
+    for (; words > 0; --words)
+    {
+      const char* word = nextWord();
+      if (!word)
       {
         return false;
       }
-    }
-    for (long long i = 0; i < words; ++i)
-    {
-      if (!nextWord())
+      if (property.IsIndices())
       {
-        return false;
+        this->CheckIndex(element, std::strtoll(std::string(word, at).c_str(), nullptr, 10));
       }
     }
   }
@@ -195,37 +271,43 @@ bool PLYCheck::SkipLine(const PLYElement& element)
   return true;
 }
 
+// A whole number of up to four bytes.
+long long PLYCheck::Decode(int size, bool isSigned)
+{
+  std::uint32_t value = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    const auto byte = static_cast<unsigned char>(this->Bytes[this->At++]);
+    value |= std::uint32_t(byte) << (8 * (this->IsBigEndian ? size - 1 - i : i));
+  }
+  const bool isNegative = isSigned && ((value >> (8 * size - 1)) & 1u) != 0;
+  return isNegative ? static_cast<long long>(value) - (1LL << (8 * size)) : value;
+}
+
 bool PLYCheck::SkipBinary(const PLYElement& element)
 {
+  const auto left = [this]() { return static_cast<long long>(this->Bytes.size() - this->At); };
   for (const PLYProperty& property : element.Properties)
   {
-    std::size_t items = 1;
-    if (property.CountSize > 0)
-    {
-      const auto size = static_cast<std::size_t>(property.CountSize);
-      if (this->At + size > this->Bytes.size() || size > 4)
-      {
-        return false;
-      }
-      std::uint32_t value = 0;
-      for (std::size_t i = 0; i < size; ++i)
-      {
-        const auto byte = static_cast<unsigned char>(this->Bytes[this->At + i]);
-        value |= std::uint32_t(byte) << (8 * (this->IsBigEndian ? size - 1 - i : i));
-      }
-      if (property.CountIsSigned && ((value >> (8 * size - 1)) & 1u) != 0)
-      {
-        return false;
-      }
-      items = value;
-      this->At += size;
-    }
-    const std::size_t length = items * static_cast<std::size_t>(property.Size);
-    if (length > this->Bytes.size() - this->At)
+    if (property.CountSize > left() || property.CountSize > 4)
     {
       return false;
     }
-    this->At += length;
+    const long long items =
+      property.CountSize > 0 ? this->Decode(property.CountSize, property.CountIsSigned) : 1;
+    if (items < 0 || items * property.Size > left())
+    {
+      return false;
+    }
+    if (!property.IsIndices())
+    {
+      this->At += static_cast<std::size_t>(items * property.Size);
+      continue;
+    }
+    for (long long i = 0; i < items; ++i)
+    {
+      this->CheckIndex(element, this->Decode(property.Size, property.IsSigned));
+    }
   }
   return true;
 }

@@ -12,10 +12,8 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMath.h>
-#include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
-#include <vtkNrrdReader.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTriangle.h>
@@ -28,14 +26,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 namespace npr
 {
 namespace
 {
-// More voxels than this are a damaged header rather than a picture (8 GiB of floats).
-constexpr double MaximumNumberOfVoxels = 2147483648.0;
+// No compression that these formats know packs better than zlib at its best.
+constexpr double LargestCompression = 1032.0;
 
 // The value that parts the histogram best in two (N. Otsu, A threshold selection method from
 // gray-level histograms, 1979).
@@ -118,7 +117,9 @@ void OrderPolygonsByNormals(vtkPolyData* surface)
   }
 }
 
-void CheckSize(vtkAlgorithm* reader)
+}
+
+void CheckSize(vtkAlgorithm* reader, std::uint64_t bytes)
 {
   reader->UpdateInformation();
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
@@ -132,17 +133,14 @@ void CheckSize(vtkAlgorithm* reader)
   {
     voxels *= double(extent[2 * axis + 1]) - double(extent[2 * axis]) + 1.0;
   }
-  if (voxels > MaximumNumberOfVoxels)
+  if (voxels > LargestCompression * static_cast<double>(bytes))
   {
-    throw ModelError("its header announces " + Text(voxels) + " voxels, more than " +
-      Text(MaximumNumberOfVoxels) + "; the header is damaged, or crop the volume first");
+    throw ModelError("its header announces " + Text(voxels) + " voxels, which its " +
+      std::to_string(bytes) + " bytes can not hold; it is damaged, copy or export it again");
   }
 }
 
-// Adds the surface at the file's iso value. The matrix takes the image's coordinates to the
-// world's.
-void AddIsoSurface(
-  ModelFile& file, vtkImageData* image, vtkMatrix4x4* matrix = nullptr, bool isLevelSet = false)
+void AddIsoSurface(ModelFile& file, vtkImageData* image, vtkMatrix4x4* matrix, bool isLevelSet)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   int dimensions[3];
@@ -208,14 +206,13 @@ void AddIsoSurface(
   }
   file.AddPart(surface);
 }
-}
 
 void ReadVTI(ModelFile& file)
 {
   vtkNew<vtkXMLImageDataReader> reader;
   file.Watch(reader);
   reader->SetFileName(file.Path.c_str());
-  CheckSize(reader);
+  CheckSize(reader, std::filesystem::file_size(file.Path));
   reader->Update();
   AddIsoSurface(file, reader->GetOutput());
 }
@@ -225,36 +222,12 @@ void ReadNIFTI(ModelFile& file)
   vtkNew<vtkNIFTIImageReader> reader;
   file.Watch(reader);
   reader->SetFileName(file.Path.c_str());
-  CheckSize(reader);
+  CheckSize(reader, std::filesystem::file_size(file.Path));
   reader->Update();
   // The scanner's coordinates where the file has them; VTK's image itself keeps the plain axes.
   vtkMatrix4x4* matrix =
     reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
   AddIsoSurface(file, reader->GetOutput(), matrix);
-}
-
-void ReadNRRD(ModelFile& file)
-{
-  vtkNew<vtkNrrdReader> reader;
-  file.Watch(reader);
-  reader->SetFileName(file.Path.c_str());
-  CheckSize(reader);
-  reader->Update();
-  AddIsoSurface(file, reader->GetOutput());
-}
-
-void ReadMetaImage(ModelFile& file)
-{
-  vtkNew<vtkMetaImageReader> reader;
-  file.Watch(reader);
-  if (!reader->CanReadFile(file.Path.c_str()))
-  {
-    throw ModelError("it has no MetaImage header; the file is damaged");
-  }
-  reader->SetFileName(file.Path.c_str());
-  CheckSize(reader);
-  reader->Update();
-  AddIsoSurface(file, reader->GetOutput());
 }
 
 void ReadLegacyVTK(ModelFile& file)

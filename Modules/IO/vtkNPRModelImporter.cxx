@@ -159,8 +159,8 @@ void ReadFile(npr::ModelFile& file)
   else if (reason.empty() && file.Parts.empty())
   {
     const std::string text = messages.GetConsoleText();
-    reason = "there is no surface in it" + (text.empty() ? "" : " (" + text + ")") +
-      "; it may be damaged, copy or export it again";
+    reason = "there are no triangles in it" + (text.empty() ? "" : " (" + text + ")") +
+      "; vtkNPR draws surfaces, so export one";
   }
   if (!reason.empty())
   {
