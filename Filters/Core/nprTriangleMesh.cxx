@@ -223,6 +223,34 @@ int TriangleMesh::CountTrianglesAtEdge(Index from, Index to) const
 //------------------------------------------------------------------------------
 bool TriangleMesh::IsBorderPoint(Index point) const
 {
+  // Each edge at the point shows as another corner of its triangles: twice, off the border.
+  constexpr int capacity = 32;
+  std::array<Index, capacity + 1>
+    others; // one to spare: the point itself is written, and left again
+  const Index numberOfIncident = this->GetNumberOfIncident(point);
+  if (2 * numberOfIncident <= capacity)
+  {
+    int size = 0;
+    for (const Index* t = this->IncidentBegin(point); t != this->IncidentEnd(point); ++t)
+    {
+      for (Index corner : this->Triangles[*t])
+      {
+        others[size] = corner;
+        size += corner != point;
+      }
+    }
+    return std::any_of(others.begin(), others.begin() + size,
+      [&](Index other)
+      {
+        int count = 0;
+        for (int i = 0; i < size; ++i)
+        {
+          count += others[i] == other;
+        }
+        return count != 2;
+      });
+  }
+  // Hubs of fans: with thousands of triangles the quadratic search would take too long.
   for (const Index* t = this->IncidentBegin(point); t != this->IncidentEnd(point); ++t)
   {
     for (Index corner : this->Triangles[*t])

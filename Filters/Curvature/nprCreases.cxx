@@ -16,8 +16,10 @@ using Index = TriangleMesh::Index;
 using Triangle = TriangleMesh::Triangle;
 using Vector = TriangleMesh::Vector;
 
-/// Edges in a row, borders they end at included, below which a sharp edge is taken for noise.
-constexpr int ShortestChain = 3;
+/// Sharp edges that hang together, fewer of which are taken for noise. Six are a tetrahedron's.
+constexpr int ShortestChain = 6;
+/// What a point on a border counts: from border to border even one edge is a crease.
+constexpr int BorderEnd = 3;
 
 //------------------------------------------------------------------------------
 int FindCorner(const Triangle& corners, Index point)
@@ -114,7 +116,7 @@ void DropShortChains(const TriangleMesh& mesh, EdgeFlags& creases)
   {
     if (border[i])
     {
-      lengths[FindRoot(parents, i)] += 2;
+      lengths[FindRoot(parents, i)] += 2 * BorderEnd;
     }
   }
   for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)

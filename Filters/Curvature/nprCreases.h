@@ -22,8 +22,9 @@ using EdgeFlags = std::vector<std::array<unsigned char, 3>>;
  * The edges whose triangles meet at more than an angle (needs the neighbours).
  *
  * Noise must not shatter a scan. So the angle must also lie between the means over the nearest
- * triangles of either side, and edges that join up to fewer than three in a row (a border counts as
- * one) are left out. An edge whose triangles are oriented against each other always is a crease.
+ * triangles of either side, and of edges that hang together fewer than six (a border they end at
+ * counts for three) are left out. An edge whose triangles are oriented against each other always is
+ * a crease.
  *
  * @param angle degrees, 0 (flat) to 180
  */

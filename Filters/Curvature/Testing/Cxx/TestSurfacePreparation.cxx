@@ -169,6 +169,36 @@ void TestCube(Checks& check)
     "without splitting it is one patch");
 }
 
+void TestSmallCreases(Checks& check)
+{
+  // The fewest edges that still are creases: a tetrahedron, and one fold from border to border.
+  const double corners[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  for (bool closed : { true, false })
+  {
+    vtkNew<vtkPolyData> mesh;
+    vtkNew<vtkPoints> points;
+    for (const auto& corner : corners)
+    {
+      points->InsertNextPoint(corner);
+    }
+    vtkNew<vtkCellArray> cells;
+    Insert(cells, { 0, 2, 1 });
+    Insert(cells, { 0, 1, 3 });
+    if (closed)
+    {
+      Insert(cells, { 0, 3, 2 });
+      Insert(cells, { 1, 2, 3 });
+    }
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    vtkNew<vtkNPRSurfacePreparation> preparation;
+    preparation->SetInputData(mesh);
+    preparation->Update();
+    check(preparation->GetOutput()->GetNumberOfPoints() == (closed ? 12 : 6), "small creases split",
+      preparation->GetOutput()->GetNumberOfPoints());
+  }
+}
+
 void TestOrientation(Checks& check)
 {
   // Every other triangle of a closed surface turned over, welded from a soup.
@@ -255,6 +285,7 @@ int TestSurfacePreparation(int, char*[])
   Checks check;
   TestMess(check);
   TestCube(check);
+  TestSmallCreases(check);
   TestOrientation(check);
   TestTolerance(check);
   TestNoise(check);
