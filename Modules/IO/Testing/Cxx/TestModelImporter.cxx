@@ -158,6 +158,50 @@ void TestOBJ(const std::string& base)
   surface->GetBounds(bounds);
   Expect(bounds[1] == 1.0 && bounds[3] == 1.0 && bounds[5] == 2.0, "the odd OBJ has its bounds");
 }
+// The axes of a picture point where its header says, here x and z exchanged, which mirrors.
+void TestDirections(const std::string& base)
+{
+  const auto ball = model_files::MakeBall();
+  const int* size = ball->GetDimensions();
+  const double* spacing = ball->GetSpacing();
+  const std::string values(static_cast<const char*>(ball->GetScalarPointer()),
+    static_cast<std::size_t>(ball->GetNumberOfPoints()) * sizeof(float));
+  std::ostringstream meta;
+  meta << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+       << "TransformMatrix = 0 0 1 0 1 0 1 0 0\nOffset = 1 2 3\nElementSpacing = " << spacing[0]
+       << " " << spacing[1] << " " << spacing[2] << "\nDimSize = " << size[0] << " " << size[1]
+       << " " << size[2] << "\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n"
+       << values;
+  model_files::WriteText(base + "Turned.mha", meta.str());
+  std::ostringstream nrrd;
+  nrrd << "NRRD0004\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: " << size[0]
+       << " " << size[1] << " " << size[2] << "\nspace directions: (0,0," << spacing[0] << ") (0,"
+       << spacing[1] << ",0) (" << spacing[2]
+       << ",0,0)\nspace origin: (1,2,3)\nendian: little\nencoding: raw\n\n"
+       << values;
+  model_files::WriteText(base + "Turned.nrrd", nrrd.str());
+  for (const char* name : { "Turned.mha", "Turned.nrrd" })
+  {
+    vtkNew<vtkNPRModelImporter> importer;
+    importer->SetFileName((base + name).c_str());
+    importer->SetIsoValue(model_files::IsoValue);
+    vtkNew<vtkPolyData> surface;
+    Expect(importer->GetSurface(surface), std::string(name) + " is read");
+    double bounds[6];
+    surface->GetBounds(bounds);
+    // The ball's middle is half of the picture along each of its axes.
+    const double expected[3] = { 1.0 + 0.5 * (size[2] - 1) * spacing[2],
+      2.0 + 0.5 * (size[1] - 1) * spacing[1], 3.0 + 0.5 * (size[0] - 1) * spacing[0] };
+    for (int i = 0; i < 3; ++i)
+    {
+      const double middle = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
+      Expect(std::abs(middle - expected[i]) < 0.01,
+        std::string(name) + " lies at " + std::to_string(middle) + ", not " +
+          std::to_string(expected[i]));
+    }
+    Expect(model_files::SignedVolume(surface) > 3.9, std::string(name) + " faces outwards");
+  }
+}
 }
 
 int TestModelImporter(int argc, char* argv[])
@@ -174,6 +218,7 @@ int TestModelImporter(int argc, char* argv[])
   }
   TestMaterials(folder + "/Good");
   TestOBJ(folder + "/Good");
+  TestDirections(folder + "/Good");
   Expect(vtkNPRModelImporter::GetNumberOfFormats() >= 19 &&
       vtkNPRModelImporter::IsFileNameKnown("/a/b.PLY.GZ") &&
       !vtkNPRModelImporter::IsFileNameKnown("/a/b.doc") &&
