@@ -60,17 +60,12 @@ struct Edge
     return (this->Chord.dot(this->N1) * this->N1 - this->Chord.dot(this->N0) * this->N0) /
       (length * (2.0 + length));
   }
-  /// The normal in the middle, by the quadratic rule of PN triangles.
+  /// The mean of the two. (The quadratic rule of PN triangles, taken again and again, makes ripples
+  /// in normals, and so in contours, where a surface bends to and fro.)
   Vector3d GetMiddleNormal() const
   {
     const Vector3d sum = this->N0 + this->N1;
-    if (!this->IsCurve())
-    {
-      return sum.norm() > 1e-3 ? Vector3d(sum.normalized()) : this->N0;
-    }
-    const double v = 2.0 * this->Chord.dot(sum) / (this->Length * this->Length);
-    const Vector3d middle = (sum - v * this->Chord).normalized();
-    return (0.5 * sum + middle).normalized();
+    return sum.norm() > 1e-3 ? Vector3d(sum.normalized()) : this->N0;
   }
 };
 

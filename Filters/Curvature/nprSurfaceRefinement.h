@@ -50,6 +50,8 @@ struct RefinedSurface
  * stays flat. No move is longer than a fifth of the edge, and there is none where the normals
  * differ by more than 60 degrees.
  *
+ * New normals are the means of those at the ends.
+ *
  * Which edges are split depends on the edge alone and is the same for all copies of it, and a
  * triangle is parted by how many of its edges are: so there are no cracks.
  *
