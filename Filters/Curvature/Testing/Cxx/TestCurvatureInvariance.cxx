@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <thread>
 
 using namespace nprtest;
 
@@ -112,11 +113,14 @@ void TestThreads(Checks& check)
   AnalyticSurface surface = MakeWaves(60);
   std::vector<vtkSmartPointer<vtkPolyData>> outputs;
   const std::string backend = vtkSMPTools::GetBackend();
-  for (int threads : { 1, 2, 3 })
+  for (int threads : { 1, 2 })
   {
     // TBB would not take more threads again after it has been held to one.
     vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "STDThread");
     vtkSMPTools::Initialize(threads);
+    check(vtkSMPTools::GetEstimatedNumberOfThreads() == threads ||
+        std::thread::hardware_concurrency() < 2,
+      "there are as many threads as asked for");
     Pipeline pipeline(surface.Mesh);
     pipeline.Normals->SetSmoothingRadius(0.03);
     pipeline.Tensor->SetSmoothingRadius(0.05);
@@ -126,15 +130,12 @@ void TestThreads(Checks& check)
   vtkSMPTools::SetBackend(backend.c_str());
   for (const char* name : GetArrayNames())
   {
-    for (int i : { 1, 2 })
-    {
-      vtkDataArray* a = outputs[0]->GetPointData()->GetArray(name);
-      vtkDataArray* b = outputs[i]->GetPointData()->GetArray(name);
-      check(a && b && a->GetDataSize() == b->GetDataSize() &&
-          std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-            a->GetDataSize() * a->GetDataTypeSize()) == 0,
-        std::string("the same bits for any number of threads: ") + name);
-    }
+    vtkDataArray* a = outputs[0]->GetPointData()->GetArray(name);
+    vtkDataArray* b = outputs[1]->GetPointData()->GetArray(name);
+    check(a && b && a->GetDataSize() == b->GetDataSize() &&
+        std::memcmp(
+          a->GetVoidPointer(0), b->GetVoidPointer(0), a->GetDataSize() * a->GetDataTypeSize()) == 0,
+      std::string("the same bits for any number of threads: ") + name);
   }
 }
 }
