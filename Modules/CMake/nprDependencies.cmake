@@ -7,7 +7,7 @@ set(NPR_VTK_COMPONENTS
   CommonMisc CommonSystem CommonTransforms
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersTexture
   IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
-  ImagingCore InteractionStyle
+  ImagingCore ImagingGeneral InteractionStyle
   RenderingCore RenderingOpenGL2 RenderingUI
   vtksys zlib)
 if (NPR_WRAP_PYTHON)

@@ -51,6 +51,7 @@ struct ModelFile
 {
   std::string Path;
   std::optional<double> IsoValue;
+  double VolumeSmoothing = 0.0; // standard deviation in voxels
   std::string GridName;
   vtkSmartPointer<vtkEventForwarderCommand> Progress;
 

@@ -221,6 +221,7 @@ bool vtkNPRModelImporter::Read()
   {
     file.IsoValue = this->IsoValue;
   }
+  file.VolumeSmoothing = this->VolumeSmoothing;
   try
   {
     if (file.Path.empty())
@@ -355,6 +356,7 @@ void vtkNPRModelImporter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "UseIsoValue: " << this->UseIsoValue << "\n";
+  os << indent << "VolumeSmoothing: " << this->VolumeSmoothing << "\n";
   os << indent << "GridName: " << (this->GridName ? this->GridName : "(none)") << "\n";
   os << indent << "Parts: " << this->Internal->Parts.size() << "\n";
 }

@@ -77,6 +77,15 @@ public:
   vtkBooleanMacro(UseIsoValue, bool);
   ///@}
 
+  /// @name Smoothing of volumes
+  /// Standard deviation, in voxels, of the Gauss filter that a volume passes before its surface is
+  /// taken, from 0 (none) to 10. One voxel removes the steps that voxels make, at the price of
+  /// details of that size. Level sets are smooth already and left alone. Default is 0.
+  ///@{
+  vtkSetClampMacro(VolumeSmoothing, double, 0.0, 10.0);
+  vtkGetMacro(VolumeSmoothing, double);
+  ///@}
+
   /// @name Grid
   /// Which grid of an OpenVDB file. Default is null: its first level set, or else its first scalar
   /// grid.
@@ -124,6 +133,7 @@ protected:
   char* FileName = nullptr;
   double IsoValue = 0.0;
   bool UseIsoValue = false;
+  double VolumeSmoothing = 0.0;
   char* GridName = nullptr;
 
 private:
