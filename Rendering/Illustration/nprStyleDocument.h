@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprStyleDocument.h
+ * @brief A style as data: what a style file says, checked, before any of it is turned into objects.
+ *
+ * Widths and lengths on the page are given in thousandths of the image's shorter side, so that one
+ * style draws the same picture at every image size. Colours are "#rrggbb", an HTML colour name, or
+ * [r, g, b] with each in 0..1.
+ */
+#ifndef nprStyleDocument_h
+#define nprStyleDocument_h
+
+#include <array>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace npr
+{
+using Color = std::array<double, 3>;
+/// Parameters that go to a shading style or a line definition by their names.
+using Parameters = std::map<std::string, std::vector<double>>;
+
+/// What is wrong with a style, and at which key.
+struct StyleError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+struct LineStyle
+{
+  std::string Type;   ///< A name that vtkNPRLineDefinition knows.
+  double Width = 2.0; ///< Thousandths of the shorter side, > 0.
+  Color Ink = { 0.0, 0.0, 0.0 };
+  double Opacity = 1.0;               ///< 0..1
+  std::string Spline = "catmull-rom"; ///< catmull-rom, b-spline or none.
+  int Smoothing = 0;          ///< How often the chain is smoothed before the spline; 0..1000.
+  bool Taper = false;         ///< Weak parts of a line are thinner.
+  bool Fade = false;          ///< Weak parts of a line are more transparent.
+  double MinimumLength = 0.0; ///< Thousandths of the shorter side; shorter chains are dropped.
+  Parameters DefinitionParameters;
+};
+
+struct LightStyle
+{
+  double Azimuth = -35.0;  ///< Degrees to the right of the viewer.
+  double Elevation = 40.0; ///< Degrees above the viewer.
+  double Intensity = 1.0;  ///< >= 0
+  Color Tint = { 1.0, 1.0, 1.0 };
+};
+
+struct ShadingStyle
+{
+  std::string Style = "phong";       ///< A name that vtkNPRShadingStyle knows, or "paper" for none.
+  Color Surface = { 0.8, 0.8, 0.8 }; ///< Of surfaces that bring no colour of their own.
+  double Ambient = 0.0;
+  double Diffuse = 1.0;
+  double Specular = 0.0;
+  double SpecularPower = 20.0;
+  Parameters StyleParameters;
+};
+
+struct GeometryStyle
+{
+  double CreaseAngle = 40.0; ///< Degrees, 0..180; sharper edges separate smooth patches.
+  double Smoothing = 2.5;    ///< Thousandths; details of this size draw no line. 0 for none.
+  double Refinement = 8.0; ///< Thousandths; longer edges of a coarse mesh are refined. 0 for none.
+};
+
+struct StyleDocument
+{
+  std::string Name;
+  std::string Description;
+  Color BackgroundBottom = { 1.0, 1.0, 1.0 };
+  Color BackgroundTop = { 1.0, 1.0, 1.0 };
+  ShadingStyle Shading;
+  std::vector<LightStyle> Lights;
+  GeometryStyle Geometry;
+  std::vector<LineStyle> Lines;
+};
+
+/// @throws StyleError that names the key (as a JSON pointer) or the place of a syntax error.
+StyleDocument ParseStyle(const std::string& json);
+
+/// @throws StyleError when the text is no colour.
+Color ParseColor(const std::string& text);
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprStyleObjects.h
+ * @brief From the names and numbers of a style document to the objects that they stand for.
+ *
+ * Nothing here knows any line type or shading style: the classes themselves say which names and
+ * which parameters they take.
+ */
+#ifndef nprStyleObjects_h
+#define nprStyleObjects_h
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkNPRLineDefinition;
+class vtkNPRShadingStyle;
+
+namespace npr
+{
+struct LineStyle;
+struct ShadingStyle;
+struct StyleDocument;
+
+/// @throws StyleError when no such style exists or it does not take one of the parameters.
+vtkSmartPointer<vtkNPRShadingStyle> MakeShadingStyle(const ShadingStyle& shading);
+
+/// @throws StyleError, with the given path before the key.
+vtkSmartPointer<vtkNPRLineDefinition> MakeLineDefinition(
+  const LineStyle& line, const std::string& path);
+
+/// True when surfaces are not shaded at all but take the colour of the paper.
+bool IsPaper(const ShadingStyle& shading);
+
+/// Whether everything that the document names exists. @throws StyleError that names the key.
+void CheckStyleNames(const StyleDocument& document);
+}
+
+#endif

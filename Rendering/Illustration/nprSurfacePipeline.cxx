@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprSurfacePipeline.h"
+
+#include "nprArrayNames.h"
+#include "nprStyleDocument.h"
+#include "vtkNPRCurvatureDerivatives.h"
+#include "vtkNPRCurvatureTensor.h"
+#include "vtkNPRFeatureLines.h"
+#include "vtkNPRSurfaceNormals.h"
+#include "vtkNPRSurfacePreparation.h"
+#include "vtkNPRSurfaceRefinement.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
+#include <vtkTimerLog.h>
+
+namespace npr
+{
+//------------------------------------------------------------------------------
+SurfacePipeline::SurfacePipeline()
+{
+  this->Normals->SetInputConnection(this->Preparation->GetOutputPort());
+  this->Tensor->SetInputConnection(this->Normals->GetOutputPort());
+  this->Refinement->SetInputConnection(this->Tensor->GetOutputPort());
+  this->Derivatives->SetInputConnection(this->Refinement->GetOutputPort());
+  this->Lines->SetInputConnection(this->Derivatives->GetOutputPort());
+  this->Watch(this->Preparation, "prepare");
+  this->Watch(this->Normals, "prepare");
+  this->Watch(this->Tensor, "curvature");
+  this->Watch(this->Refinement, "prepare");
+  this->Watch(this->Derivatives, "curvature");
+  this->Watch(this->Lines, "lines");
+}
+
+SurfacePipeline::~SurfacePipeline() = default;
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::SetInputConnection(vtkAlgorithmOutput* surface)
+{
+  this->Preparation->SetInputConnection(surface);
+}
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::Tune(const GeometryStyle& geometry, double unit, bool refine)
+{
+  this->Preparation->SetCreaseAngle(geometry.CreaseAngle);
+  this->Preparation->Update();
+  const double scale = this->GetLengthScale();
+  const double unitOfScale = scale > 0.0 ? unit / scale : 0.0;
+  this->Tensor->SetSmoothingRadius(geometry.Smoothing * unitOfScale);
+  this->Derivatives->SetSmoothingRadius(geometry.Smoothing * unitOfScale);
+  this->Refinement->SetMaximumEdgeLength(geometry.Refinement * unitOfScale);
+  const bool refined = refine && geometry.Refinement * unitOfScale > 0.0;
+  this->Refinement->SetNumberOfLevels(refined ? -1 : 0);
+}
+
+//------------------------------------------------------------------------------
+vtkAlgorithmOutput* SurfacePipeline::GetSurfacePort()
+{
+  return this->Derivatives->GetOutputPort();
+}
+
+//------------------------------------------------------------------------------
+double SurfacePipeline::GetLengthScale()
+{
+  vtkDataArray* scale =
+    this->Preparation->GetOutput()->GetFieldData()->GetArray(names::LengthScale);
+  return scale ? scale->GetComponent(0, 0) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::Update()
+{
+  this->Derivatives->Update();
+}
+
+//------------------------------------------------------------------------------
+double SurfacePipeline::GetSeconds(const std::string& stage) const
+{
+  const auto found = this->Seconds.find(stage);
+  return found == this->Seconds.end() ? 0.0 : found->second;
+}
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::Watch(vtkAlgorithm* filter, const std::string& stage)
+{
+  this->Stages[filter] = stage;
+  filter->AddObserver(vtkCommand::StartEvent, this, &SurfacePipeline::OnStart);
+  filter->AddObserver(vtkCommand::EndEvent, this, &SurfacePipeline::OnEnd);
+  filter->AddObserver(vtkCommand::ProgressEvent, this, &SurfacePipeline::OnProgress);
+}
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::OnStart(vtkObject*, unsigned long, void*)
+{
+  this->StartTime = vtkTimerLog::GetUniversalTime();
+}
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::OnEnd(vtkObject* filter, unsigned long, void*)
+{
+  this->Seconds[this->Stages[filter]] += vtkTimerLog::GetUniversalTime() - this->StartTime;
+}
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::OnProgress(vtkObject*, unsigned long, void* data)
+{
+  if (this->Progress && data)
+  {
+    this->Progress(*static_cast<double*>(data));
+  }
+}
+}

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprSurfacePipeline_h
+#define nprSurfacePipeline_h
+
+#include "vtkNPRRenderingIllustrationModule.h"
+#include <vtkNew.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+class vtkNPRCurvatureDerivatives;
+class vtkNPRCurvatureTensor;
+class vtkNPRFeatureLines;
+class vtkNPRSurfaceNormals;
+class vtkNPRSurfacePreparation;
+class vtkNPRSurfaceRefinement;
+class vtkObject;
+
+namespace npr
+{
+struct GeometryStyle;
+
+/**
+ * @class SurfacePipeline
+ * @brief The filters from any surface to its feature lines, connected and tuned to a view.
+ *
+ * preparation -> normals -> curvature tensor -> refinement -> derivatives -> feature lines.
+ * The curvature is taken from the mesh as it is; refinement then carries it to a finer, smooth
+ * mesh, so that coarse models get smooth outlines, too.
+ */
+class VTKNPRRENDERINGILLUSTRATION_EXPORT SurfacePipeline
+{
+public:
+  SurfacePipeline();
+  ~SurfacePipeline();
+  SurfacePipeline(const SurfacePipeline&) = delete;
+  void operator=(const SurfacePipeline&) = delete;
+
+  void SetInputConnection(vtkAlgorithmOutput* surface);
+
+  /// Lengths on the page become lengths on the surface by unit: what a thousandth of the image's
+  /// shorter side is in the coordinates of the surface. Prepares the surface, for its length scale.
+  /// A surface whose points must stay as they are (for its texture, say) is not refined.
+  void Tune(const GeometryStyle& geometry, double unit, bool refine);
+
+  /// The prepared, smooth surface with its normals, to be shaded.
+  vtkAlgorithmOutput* GetSurfacePort();
+  vtkNPRFeatureLines* GetFeatureLines() { return this->Lines; }
+
+  /// Of the prepared surface; 0 when it has no area.
+  double GetLengthScale();
+
+  /// Run everything that does not depend on the view.
+  void Update();
+
+  /// Called with a fraction by each filter as it goes on.
+  void SetProgress(std::function<void(double)> progress) { this->Progress = std::move(progress); }
+
+  /// Seconds in "prepare", "curvature" and "lines".
+  double GetSeconds(const std::string& stage) const;
+
+private:
+  void Watch(vtkAlgorithm* filter, const std::string& stage);
+  void OnStart(vtkObject* filter, unsigned long event, void* data);
+  void OnEnd(vtkObject* filter, unsigned long event, void* data);
+  void OnProgress(vtkObject* filter, unsigned long event, void* data);
+
+  vtkNew<vtkNPRSurfacePreparation> Preparation;
+  vtkNew<vtkNPRSurfaceNormals> Normals;
+  vtkNew<vtkNPRCurvatureTensor> Tensor;
+  vtkNew<vtkNPRSurfaceRefinement> Refinement;
+  vtkNew<vtkNPRCurvatureDerivatives> Derivatives;
+  vtkNew<vtkNPRFeatureLines> Lines;
+
+  std::function<void(double)> Progress;
+  std::map<vtkObject*, std::string> Stages;
+  std::map<std::string, double> Seconds;
+  double StartTime = 0.0;
+};
+}
+
+#endif

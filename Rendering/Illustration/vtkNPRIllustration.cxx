@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNPRIllustration.h"
+
+#include "nprActorIllustration.h"
+#include "nprStyleDocument.h"
+#include "nprStyleObjects.h"
+#include "vtkNPRFeatureLines.h"
+#include "vtkNPRIllustrationStyle.h"
+#include "vtkNPRShadingPass.h"
+#include "vtkNPRShadingStyle.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkCommand.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkNPRIllustration);
+
+namespace
+{
+/// What a style changes on a renderer itself, given back by the destructor.
+class RendererIllustration
+{
+public:
+  RendererIllustration(vtkRenderer* renderer, const npr::StyleDocument& style)
+    : Renderer(renderer), Pass(renderer->GetPass()),
+      AutomaticLights(renderer->GetAutomaticLightCreation()),
+      Gradient(renderer->GetGradientBackground())
+  {
+    renderer->GetBackground(this->Background);
+    renderer->GetBackground2(this->Background2);
+    vtkLightCollection* lights = renderer->GetLights();
+    vtkCollectionSimpleIterator cookie;
+    lights->InitTraversal(cookie);
+    while (vtkLight* light = lights->GetNextLight(cookie))
+    {
+      this->Lights.emplace_back(light);
+    }
+
+    const npr::Color& bottom = style.BackgroundBottom;
+    const npr::Color& top = style.BackgroundTop;
+    renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
+    renderer->SetBackground2(top[0], top[1], top[2]);
+    renderer->SetGradientBackground(bottom != top);
+    if (!style.Lights.empty())
+    {
+      this->SetLights(style.Lights);
+    }
+    if (!npr::IsPaper(style.Shading))
+    {
+      vtkNew<vtkNPRShadingPass> pass;
+      pass->SetStyle(npr::MakeShadingStyle(style.Shading));
+      pass->SetDelegatePass(this->Pass);
+      renderer->SetPass(pass);
+    }
+  }
+
+  ~RendererIllustration()
+  {
+    this->Renderer->SetPass(this->Pass);
+    this->Renderer->SetBackground(this->Background);
+    this->Renderer->SetBackground2(this->Background2);
+    this->Renderer->SetGradientBackground(this->Gradient);
+    this->Renderer->RemoveAllLights();
+    for (const auto& light : this->Lights)
+    {
+      this->Renderer->AddLight(light);
+    }
+    this->Renderer->SetAutomaticLightCreation(this->AutomaticLights);
+  }
+
+  RendererIllustration(const RendererIllustration&) = delete;
+  void operator=(const RendererIllustration&) = delete;
+
+private:
+  void SetLights(const std::vector<npr::LightStyle>& lights)
+  {
+    this->Renderer->RemoveAllLights();
+    this->Renderer->AutomaticLightCreationOff();
+    for (const npr::LightStyle& style : lights)
+    {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToCameraLight();
+      light->SetDirectionAngle(style.Elevation, style.Azimuth);
+      light->SetIntensity(style.Intensity);
+      light->SetColor(style.Tint[0], style.Tint[1], style.Tint[2]);
+      this->Renderer->AddLight(light);
+    }
+  }
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderPass> Pass;
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+  vtkTypeBool AutomaticLights;
+  bool Gradient;
+  double Background[3];
+  double Background2[3];
+};
+}
+
+//------------------------------------------------------------------------------
+class vtkNPRIllustration::Internals
+{
+public:
+  explicit Internals(vtkNPRIllustration* self) : Self(self) {}
+
+  void Clear()
+  {
+    if (this->OnRenderer && this->Renderer)
+    {
+      this->Renderer->RemoveObserver(this->StartObserver);
+    }
+    this->Actors.clear();
+    this->OnRenderer.reset();
+    this->Renderer = nullptr;
+  }
+
+  void Apply(vtkRenderer* renderer, const npr::StyleDocument& style)
+  {
+    this->Renderer = renderer;
+    this->OnRenderer = std::make_unique<RendererIllustration>(renderer, style);
+    const npr::PageScale scale = npr::PageScale::Of(renderer);
+
+    std::vector<vtkActor*> actors;
+    vtkActorCollection* collection = renderer->GetActors();
+    vtkCollectionSimpleIterator cookie;
+    collection->InitTraversal(cookie);
+    while (vtkActor* actor = collection->GetNextActor(cookie))
+    {
+      if (npr::ActorIllustration::Accepts(actor))
+      {
+        actors.push_back(actor);
+      }
+    }
+    for (std::size_t i = 0; i < actors.size(); ++i)
+    {
+      this->Actors.push_back(
+        std::make_unique<npr::ActorIllustration>(actors[i], renderer, style, scale));
+      npr::SurfacePipeline& pipeline = this->Actors.back()->GetPipeline();
+      pipeline.SetProgress(
+        [this](double fraction) { this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction); });
+      pipeline.Update();
+    }
+    this->ShareLengthScale();
+    this->StartObserver = renderer->AddObserver(
+      vtkCommand::StartEvent, this, &vtkNPRIllustration::Internals::OnStartOfRender);
+  }
+
+  double GetSeconds(const std::string& stage) const
+  {
+    double seconds = 0.0;
+    for (const auto& actor : this->Actors)
+    {
+      seconds += actor->GetPipeline().GetSeconds(stage);
+    }
+    return seconds;
+  }
+
+private:
+  /// Thresholds mean the same on all parts of a model: those of its largest part.
+  void ShareLengthScale()
+  {
+    double largest = 0.0;
+    for (const auto& actor : this->Actors)
+    {
+      largest = std::max(largest, actor->GetWorldLengthScale());
+    }
+    for (const auto& actor : this->Actors)
+    {
+      actor->SetWorldLengthScale(largest);
+    }
+  }
+
+  void OnStartOfRender()
+  {
+    const npr::PageScale scale = npr::PageScale::Of(this->Renderer);
+    for (const auto& actor : this->Actors)
+    {
+      actor->SetScale(scale);
+    }
+  }
+
+  vtkNPRIllustration* Self;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::unique_ptr<RendererIllustration> OnRenderer;
+  std::vector<std::unique_ptr<npr::ActorIllustration>> Actors;
+  unsigned long StartObserver = 0;
+};
+
+//------------------------------------------------------------------------------
+vtkNPRIllustration::vtkNPRIllustration()
+  : Internal(std::make_unique<Internals>(this)),
+    Style(vtkSmartPointer<vtkNPRIllustrationStyle>::New())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkNPRIllustration::~vtkNPRIllustration()
+{
+  this->Internal->Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIllustration::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Renderer != renderer)
+  {
+    this->Remove();
+    this->Renderer = renderer;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkNPRIllustration::GetRenderer() const
+{
+  return this->Renderer;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIllustration::SetStyle(vtkNPRIllustrationStyle* style)
+{
+  if (this->Style != style && style)
+  {
+    this->Style = style;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkNPRIllustrationStyle* vtkNPRIllustration::GetStyle() const
+{
+  return this->Style;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustration::Apply()
+{
+  if (!this->Renderer)
+  {
+    vtkErrorMacro("there is no renderer to illustrate; call SetRenderer() first");
+    return false;
+  }
+  this->Internal->Clear();
+  this->Internal->Apply(this->Renderer, this->Style->GetDocument());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIllustration::Remove()
+{
+  this->Internal->Clear();
+}
+
+//------------------------------------------------------------------------------
+double vtkNPRIllustration::GetStageSeconds(const std::string& stage) const
+{
+  return this->Internal->GetSeconds(stage);
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIllustration::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "Style:\n";
+  this->Style->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRIllustration
+ * @brief Draws what a renderer shows as an illustration.
+ *
+ * Give it a renderer with actors and a style; Apply() prepares the actors' surfaces, puts the
+ * style's shading, lights and paper on the renderer, and adds one actor of strokes for each kind
+ * of line and actor. From then on Render() alone keeps everything current: lines follow the
+ * camera, the actors' matrices and their data.
+ *
+ * @code
+ * vtkNew<vtkNPRIllustrationStyle> style;
+ * style->LoadBuiltIn("technical");
+ * vtkNew<vtkNPRIllustration> illustration;
+ * illustration->SetRenderer(renderer);
+ * illustration->SetStyle(style);
+ * illustration->Apply();
+ * window->Render();
+ * @endcode
+ *
+ * Actors are shown through a mapper of ours while the illustration is on; Remove() gives back their
+ * own mappers and properties and the renderer's pass, lights and background. An actor that is added
+ * later is illustrated by the next Apply(). Actors with wireframe or point representation, without
+ * surface, and other props are left as they are.
+ *
+ * Invokes vtkCommand::ProgressEvent with the progress of its filters.
+ *
+ * @sa vtkNPRIllustrationStyle, vtkNPRViewpoint, vtkNPRFeatureLines, vtkNPRShadingPass
+ */
+#ifndef vtkNPRIllustration_h
+#define vtkNPRIllustration_h
+
+#include "vtkNPRRenderingIllustrationModule.h"
+#include <vtkObject.h>
+#include <vtkSmartPointer.h> // for the renderer and the style
+
+#include <memory> // for what is put on the renderer
+#include <string> // for names of stages
+
+class vtkNPRIllustrationStyle;
+class vtkRenderer;
+
+class VTKNPRRENDERINGILLUSTRATION_EXPORT vtkNPRIllustration : public vtkObject
+{
+public:
+  static vtkNPRIllustration* New();
+  vtkTypeMacro(vtkNPRIllustration, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// @name The renderer to illustrate
+  /// Setting another one removes the illustration from the last.
+  ///@{
+  void SetRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetRenderer() const;
+  ///@}
+
+  /// @name The style; default: the built-in "technical"
+  /// A change of it shows after the next Apply().
+  ///@{
+  void SetStyle(vtkNPRIllustrationStyle* style);
+  vtkNPRIllustrationStyle* GetStyle() const;
+  ///@}
+
+  /// Put the illustration on the renderer, in place of what an earlier call put there. The camera
+  /// and the size of the window should be set by then: the size of a pixel decides which details
+  /// are drawn. Returns false, with an error, without a renderer.
+  bool Apply();
+
+  /// Give back the renderer and its actors as they were.
+  void Remove();
+
+  /// Seconds spent so far in "prepare", "curvature" or "lines", by the filters of the
+  /// illustration that is on the renderer; 0 for other names.
+  double GetStageSeconds(const std::string& stage) const;
+
+protected:
+  vtkNPRIllustration();
+  ~vtkNPRIllustration() override;
+
+private:
+  vtkNPRIllustration(const vtkNPRIllustration&) = delete;
+  void operator=(const vtkNPRIllustration&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkNPRIllustrationStyle> Style;
+};
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNPRIllustrationStyle.h"
+
+#include "nprBuiltInStyles.h"
+#include "nprStyleDocument.h"
+#include "nprStyleObjects.h"
+
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+vtkStandardNewMacro(vtkNPRIllustrationStyle);
+
+//------------------------------------------------------------------------------
+vtkNPRIllustrationStyle::vtkNPRIllustrationStyle()
+  : Document(std::make_unique<npr::StyleDocument>())
+{
+  this->LoadBuiltIn("technical");
+}
+
+vtkNPRIllustrationStyle::~vtkNPRIllustrationStyle() = default;
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkNPRIllustrationStyle::GetBuiltInNames()
+{
+  std::vector<std::string> names;
+  for (const npr::BuiltInStyle& style : npr::GetBuiltInStyles())
+  {
+    names.emplace_back(style.Name);
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkNPRIllustrationStyle::GetBuiltInJson(const std::string& name)
+{
+  for (const npr::BuiltInStyle& style : npr::GetBuiltInStyles())
+  {
+    if (name == style.Name)
+    {
+      return style.Json;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::Fail(const std::string& message)
+{
+  this->ErrorMessage = message;
+  vtkErrorMacro(<< message);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::LoadDocument(const std::string& json, const std::string& origin)
+{
+  try
+  {
+    npr::StyleDocument document = npr::ParseStyle(json);
+    npr::CheckStyleNames(document);
+    *this->Document = std::move(document);
+  }
+  catch (const npr::StyleError& error)
+  {
+    return this->Fail(origin + ": " + error.what());
+  }
+  this->ErrorMessage.clear();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::LoadBuiltIn(const std::string& name)
+{
+  const std::string json = GetBuiltInJson(name);
+  if (!json.empty())
+  {
+    return this->LoadDocument(json, "built-in style " + name);
+  }
+  std::string names;
+  for (const std::string& known : GetBuiltInNames())
+  {
+    names += (names.empty() ? "" : ", ") + known;
+  }
+  return this->Fail("unknown style '" + name + "'; the built-in styles are: " + names +
+    " (or give the path of a style file)");
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::LoadFile(const std::string& fileName)
+{
+  std::ifstream file(fileName);
+  std::stringstream text;
+  if (!(file && text << file.rdbuf()))
+  {
+    return this->Fail(fileName +
+      ": cannot read this style file; check that it exists, is not "
+      "empty and may be read");
+  }
+  return this->LoadDocument(text.str(), fileName);
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::LoadString(const std::string& json)
+{
+  return this->LoadDocument(json, "style");
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::Load(const std::string& nameOrFile)
+{
+  const bool isPath = nameOrFile.find_first_of("./\\") != std::string::npos;
+  return isPath ? this->LoadFile(nameOrFile) : this->LoadBuiltIn(nameOrFile);
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::SelectLines(const std::vector<std::string>& types)
+{
+  const std::vector<npr::LineStyle>& all = this->Document->Lines;
+  std::vector<npr::LineStyle> selected;
+  try
+  {
+    for (const std::string& type : types)
+    {
+      const auto found = std::find_if(
+        all.begin(), all.end(), [&](const npr::LineStyle& line) { return line.Type == type; });
+      npr::LineStyle line;
+      if (found != all.end())
+      {
+        line = *found;
+      }
+      else if (!all.empty())
+      {
+        line = all.front();
+        line.DefinitionParameters.clear();
+      }
+      line.Type = type;
+      npr::MakeLineDefinition(line, "lines");
+      selected.push_back(line);
+    }
+  }
+  catch (const npr::StyleError& error)
+  {
+    return this->Fail(error.what());
+  }
+  this->Document->Lines = std::move(selected);
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::SetBackground(const std::string& color)
+{
+  try
+  {
+    this->Document->BackgroundBottom = this->Document->BackgroundTop = npr::ParseColor(color);
+  }
+  catch (const npr::StyleError& error)
+  {
+    return this->Fail(std::string("unknown colour ") + error.what());
+  }
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkNPRIllustrationStyle::GetName() const
+{
+  return this->Document->Name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkNPRIllustrationStyle::GetDescription() const
+{
+  return this->Document->Description;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIllustrationStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Name: " << this->Document->Name << "\n";
+  os << indent << "Description: " << this->Document->Description << "\n";
+  os << indent << "Shading: " << this->Document->Shading.Style << "\n";
+  os << indent << "Lines: " << this->Document->Lines.size() << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRIllustrationStyle
+ * @brief How an illustration looks: shading, lights, lines and paper, read from a JSON document.
+ *
+ * A style is a small JSON file; the built-in ones ("technical", "toon", "ink", "plain") are such
+ * files too, and the command, Python and C++ read the same. A document that is not valid is
+ * refused as a whole, with a message that names the key.
+ *
+ * @code
+ * vtkNew<vtkNPRIllustrationStyle> style;
+ * style->LoadBuiltIn("ink");
+ * @endcode
+ *
+ * @sa vtkNPRIllustration
+ */
+#ifndef vtkNPRIllustrationStyle_h
+#define vtkNPRIllustrationStyle_h
+
+#include "vtkNPRRenderingIllustrationModule.h"
+#include <vtkObject.h>
+
+#include <memory> // for the document
+#include <string> // for names and messages
+#include <vector> // for lists of names
+
+#ifndef __VTK_WRAP__
+namespace npr
+{
+struct StyleDocument;
+}
+#endif
+
+class VTKNPRRENDERINGILLUSTRATION_EXPORT vtkNPRIllustrationStyle : public vtkObject
+{
+public:
+  static vtkNPRIllustrationStyle* New();
+  vtkTypeMacro(vtkNPRIllustrationStyle, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The names of the styles that come with the library, in the order in which to show them.
+  static std::vector<std::string> GetBuiltInNames();
+
+  /// The document of a built-in style, to start one of your own from; empty for an unknown name.
+  static std::string GetBuiltInJson(const std::string& name);
+
+  /// @name Loading
+  /// Each returns false, reports an error and leaves the style as it was when the document can't
+  /// be read or is not valid. A new object holds the built-in style "technical".
+  ///@{
+  bool LoadBuiltIn(const std::string& name);
+  bool LoadFile(const std::string& fileName);
+  bool LoadString(const std::string& json);
+  ///@}
+
+  /// A built-in name, or else the path of a style file.
+  bool Load(const std::string& nameOrFile);
+
+  /// Draw only these kinds of lines. Kinds that the style has keep their look; others get the look
+  /// of the style's first line, or plain black. An empty list means no lines.
+  bool SelectLines(const std::vector<std::string>& types);
+
+  /// Set the paper to one colour: "#rrggbb" or an HTML colour name.
+  bool SetBackground(const std::string& color);
+
+  std::string GetName() const;
+  std::string GetDescription() const;
+
+  /// What was wrong at the last failure, as one line; empty if nothing was.
+  vtkGetMacro(ErrorMessage, std::string);
+
+#ifndef __VTK_WRAP__
+  const npr::StyleDocument& GetDocument() const
+  {
+    return *this->Document;
+  }
+#endif
+
+protected:
+  vtkNPRIllustrationStyle();
+  ~vtkNPRIllustrationStyle() override;
+
+private:
+  vtkNPRIllustrationStyle(const vtkNPRIllustrationStyle&) = delete;
+  void operator=(const vtkNPRIllustrationStyle&) = delete;
+
+  bool Fail(const std::string& message);
+  bool LoadDocument(const std::string& json, const std::string& origin);
+
+  std::unique_ptr<npr::StyleDocument> Document;
+  std::string ErrorMessage;
+};
+
+#endif
