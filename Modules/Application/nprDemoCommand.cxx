@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprCommands.h"
+
+#include "nprImageFile.h"
+#include "nprRenderJob.h"
+#include "nprReporter.h"
+#include "nprViewOptions.h"
+#include "vtkNPRIllustrationStyle.h"
+#include "vtkNPRSampleSource.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+namespace npr
+{
+namespace
+{
+struct DemoOptions
+{
+  std::string Folder = "demo";
+  ViewOptions View;
+};
+
+std::string MakeIndexPage(const std::string& entries)
+{
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<title>vtkNPR: the built-in sample in every style</title>\n<style>\n"
+         "body { font-family: serif; margin: 3rem auto; max-width: 72rem; color: #222; }\n"
+         "main { display: grid; grid-template-columns: repeat(auto-fit, minmax(30rem, 1fr)); "
+         "gap: 2rem; }\n"
+         "figure { margin: 0; } img { width: 100%; border: 1px solid #ddd; }\n"
+         "figcaption { padding: 0.5rem 0; } code { color: #555; }\n"
+         "</style>\n</head>\n<body>\n<h1>The built-in sample in every style</h1>\n<main>\n" +
+    entries + "</main>\n</body>\n</html>\n";
+}
+
+std::string MakeEntry(const std::string& name, const std::string& description)
+{
+  return "<figure><a href=\"" + name + ".png\"><img src=\"" + name +
+    ".png\" alt=\"The sample in the style " + name + "\"></a>\n<figcaption><b>" + name +
+    "</b>: " + description + "<br><code>./run render MODEL -o IMAGE --style " + name +
+    "</code></figcaption></figure>\n";
+}
+
+void MakeDemo(const DemoOptions& options, Reporter& reporter)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::create_directories(options.Folder, error);
+  const fs::path folder(options.Folder);
+  CheckWritable((folder / "index.html").string());
+
+  RenderJob job(reporter, options.View.GetSize());
+  reporter.BeginStage("sample");
+  vtkNew<vtkNPRSampleSource> sample;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sample->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  job.GetRenderer()->AddActor(actor);
+  options.View.Apply(job.GetRenderer(), {});
+  reporter.EndStage();
+
+  std::string entries;
+  vtkNew<vtkNPRIllustrationStyle> style;
+  for (const std::string& name : vtkNPRIllustrationStyle::GetBuiltInNames())
+  {
+    style->LoadBuiltIn(name);
+    const std::string file = (folder / (name + ".png")).string();
+    job.Run(style, file, false);
+    entries += MakeEntry(name, style->GetDescription());
+    if (!reporter.Quiet)
+    {
+      std::printf("%s\n", file.c_str());
+    }
+  }
+  const std::string index = (folder / "index.html").string();
+  WriteWhole(index,
+    [&](const std::string& partial)
+    {
+      std::ofstream page(partial);
+      page << MakeIndexPage(entries);
+      page.close();
+      return page.good();
+    });
+  reporter.PrintStages();
+  if (!reporter.Quiet)
+  {
+    std::printf("%s\n", index.c_str());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void AddDemoCommand(CLI::App& program, Reporter& reporter)
+{
+  CLI::App* command =
+    program.add_subcommand("demo", "Draw the built-in sample in every style, with an index page");
+  auto options = std::make_shared<DemoOptions>();
+  command->add_option("FOLDER", options->Folder, "Where to; made if it does not exist")
+    ->capture_default_str();
+  options->View.AddTo(*command);
+  command->callback([options, &reporter]() { MakeDemo(*options, reporter); });
+}
+}

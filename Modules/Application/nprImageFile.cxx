@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprImageFile.h"
+
+#include "nprReporter.h"
+
+#include <vtkBMPWriter.h>
+#include <vtkImageData.h>
+#include <vtkImageExtractComponents.h>
+#include <vtkImageWriter.h>
+#include <vtkJPEGWriter.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPNMWriter.h>
+#include <vtkSmartPointer.h>
+#include <vtkTIFFWriter.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <unistd.h>
+
+namespace npr
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string ExtensionOf(const std::string& file)
+{
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+vtkSmartPointer<vtkImageWriter> MakeWriter(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".png")
+  {
+    return vtkSmartPointer<vtkPNGWriter>::New();
+  }
+  if (extension == ".jpg" || extension == ".jpeg")
+  {
+    auto writer = vtkSmartPointer<vtkJPEGWriter>::New();
+    writer->SetQuality(95);
+    return writer;
+  }
+  if (extension == ".tif" || extension == ".tiff")
+  {
+    return vtkSmartPointer<vtkTIFFWriter>::New();
+  }
+  if (extension == ".bmp")
+  {
+    return vtkSmartPointer<vtkBMPWriter>::New();
+  }
+  if (extension == ".ppm")
+  {
+    return vtkSmartPointer<vtkPNMWriter>::New();
+  }
+  return nullptr;
+}
+
+bool KeepsTransparency(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  return extension == ".png" || extension == ".tif" || extension == ".tiff";
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckWritable(const std::string& file)
+{
+  const fs::path folder = fs::absolute(fs::path(file)).parent_path();
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+  {
+    throw CommandError(OutputError,
+      file + ": the folder " + folder.string() + " does not exist; make it first (mkdir -p)");
+  }
+  if (fs::is_directory(file, ignored))
+  {
+    throw CommandError(OutputError, file + " is a folder; name a file in it");
+  }
+  if (access(folder.c_str(), W_OK) != 0 ||
+    (fs::exists(file, ignored) && access(file.c_str(), W_OK) != 0))
+  {
+    throw CommandError(OutputError,
+      file + ": cannot be written (" + std::strerror(errno) + "); choose another place");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckImageFile(const std::string& file)
+{
+  if (!MakeWriter(file))
+  {
+    throw CommandError(UsageError,
+      file + ": unknown kind of image '" + ExtensionOf(file) +
+        "'; write .png, .jpg, .tif, .bmp or .ppm");
+  }
+  CheckWritable(file);
+}
+
+//------------------------------------------------------------------------------
+void WriteWhole(const std::string& file, const std::function<bool(const std::string&)>& write)
+{
+  const fs::path target(file);
+  const fs::path partial =
+    target.parent_path() / (".part-" + std::to_string(getpid()) + "-" + target.filename().string());
+  std::error_code error;
+  const bool good = write(partial.string()) && fs::exists(partial, error);
+  if (good)
+  {
+    fs::rename(partial, target, error);
+  }
+  if (!good || error)
+  {
+    const std::string why = error ? error.message() : "no space left, or no permission?";
+    fs::remove(partial, error);
+    throw CommandError(OutputError, file + ": could not be written (" + why + ")");
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteImage(vtkImageData* image, const std::string& file)
+{
+  const vtkSmartPointer<vtkImageWriter> writer = MakeWriter(file);
+  vtkNew<vtkImageExtractComponents> colors;
+  colors->SetInputData(image);
+  colors->SetComponents(0, 1, 2);
+  if (image->GetNumberOfScalarComponents() == 4 && !KeepsTransparency(file))
+  {
+    writer->SetInputConnection(colors->GetOutputPort());
+  }
+  else
+  {
+    writer->SetInputData(image);
+  }
+  WriteWhole(file,
+    [&](const std::string& partial)
+    {
+      writer->SetFileName(partial.c_str());
+      writer->Write();
+      return writer->GetErrorCode() == 0;
+    });
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprRenderJob.h
+ * @brief From a renderer with actors to an illustration in a file; what render and demo share.
+ */
+#ifndef nprRenderJob_h
+#define nprRenderJob_h
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <string>
+
+class vtkNPRIllustration;
+class vtkNPRIllustrationStyle;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace npr
+{
+class Reporter;
+
+/// The window that this machine can draw with; throws a CommandError when there is none.
+vtkSmartPointer<vtkRenderWindow> MakeWindow(Reporter& reporter, const std::array<int, 2>& size);
+
+/// A window without a display, one renderer in it, and the illustration on that.
+class RenderJob
+{
+public:
+  RenderJob(Reporter& reporter, const std::array<int, 2>& size);
+  ~RenderJob();
+
+  vtkRenderer* GetRenderer() { return this->Renderer; }
+
+  /// Illustrate what the renderer shows and write it. May be called again with another style.
+  void Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent);
+
+private:
+  Reporter& Output;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkNPRIllustration> Illustration;
+};
+}
+
+#endif

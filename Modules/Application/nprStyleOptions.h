@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprStyleOptions.h
+ * @brief The options that say how an illustration looks.
+ */
+#ifndef nprStyleOptions_h
+#define nprStyleOptions_h
+
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+class vtkNPRIllustrationStyle;
+
+namespace npr
+{
+class Reporter;
+
+struct StyleOptions
+{
+  std::string Style = "technical";
+  std::string Lines;
+  std::string Background;
+
+  void AddTo(CLI::App& command);
+  /// Throws a CommandError when the style or what is changed in it is not valid.
+  void ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) const;
+  bool IsTransparent() const { return this->Background == "transparent"; }
+};
+}
+
+#endif
