@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Non-photorealistic rendering for VTK.
+
+All classes of vtkNPR stand here, next to two functions that need no display::
+
+    import vtknpr
+    from vtkmodules.vtkFiltersSources import vtkConeSource
+
+    cone = vtkConeSource()
+    cone.Update()
+    vtknpr.render(cone.GetOutput(), "cone.png", style="technical")
+"""
+
+import os as _os
+
+# VTK's own modules must be there before ours, whose classes derive from theirs.
+import vtkmodules.vtkInteractionStyle  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkIOImage import vtkPNGWriter as _vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor as _vtkActor,
+    vtkPolyDataMapper as _vtkPolyDataMapper,
+    vtkRenderer as _vtkRenderer,
+    vtkRenderWindow as _vtkRenderWindow,
+    vtkWindowToImageFilter as _vtkWindowToImageFilter,
+)
+
+from .vtkNPRFiltersCurvature import *  # noqa: F401,F403
+from .vtkNPRFiltersLines import *  # noqa: F401,F403
+from .vtkNPRFiltersSources import *  # noqa: F401,F403
+from .vtkNPRFiltersStrokes import *  # noqa: F401,F403
+from .vtkNPRIO import *  # noqa: F401,F403
+from .vtkNPRRenderingIllustration import *  # noqa: F401,F403
+from .vtkNPRRenderingOffscreen import *  # noqa: F401,F403
+from .vtkNPRRenderingShading import *  # noqa: F401,F403
+from .vtkNPRRenderingStrokes import *  # noqa: F401,F403
+
+from .vtkNPRRenderingIllustration import (
+    vtkNPRIllustration,
+    vtkNPRIllustrationStyle,
+    vtkNPRViewpoint,
+)
+from .vtkNPRRenderingOffscreen import vtkNPROffscreen
+
+
+def illustrate(renderer, style="technical"):
+    """Turn what a vtkRenderer shows into an illustration.
+
+    The renderer should be in a window that has its size, and its camera should be set. `style` is
+    the name of a built-in style or the path of a style file. Returns the vtkNPRIllustration; keep
+    it as long as the illustration is to be seen. Raises ValueError for a style that is not valid.
+    """
+    document = vtkNPRIllustrationStyle()
+    if not document.Load(_os.fspath(style)):
+        raise ValueError(document.GetErrorMessage())
+    illustration = vtkNPRIllustration()
+    illustration.SetRenderer(renderer)
+    illustration.SetStyle(document)
+    illustration.Apply()
+    return illustration
+
+
+def render(surface, path, style="technical", size=(1600, 1200), view="three-quarter"):
+    """Draw a vtkPolyData into a PNG file, without a display.
+
+    `view` is a name that vtkNPRViewpoint knows or (azimuth, elevation) in degrees; `size` is
+    (width, height) in pixels. Raises ValueError for what is not valid and OSError when the file
+    can not be written.
+    """
+    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        raise ValueError("the surface has no polygons, so there is nothing to draw")
+    path = _os.fspath(path)
+    if not path.lower().endswith(".png"):
+        raise ValueError(f"{path}: only .png is written here")
+    vtkNPROffscreen.Setup()
+    mapper = _vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    actor = _vtkActor()
+    actor.SetMapper(mapper)
+    renderer = _vtkRenderer()
+    renderer.AddActor(actor)
+    window = _vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(*size)
+    window.AddRenderer(renderer)
+
+    viewpoint = vtkNPRViewpoint()
+    if not isinstance(view, str):
+        viewpoint.SetAzimuth(view[0])
+        viewpoint.SetElevation(view[1])
+    elif view in vtkNPRViewpoint.GetViewNames():
+        viewpoint.SetViewByName(view)
+    else:
+        raise ValueError(f"unknown view {view!r}; the views are {', '.join(vtkNPRViewpoint.GetViewNames())}")
+    viewpoint.Apply(renderer)
+    illustration = illustrate(renderer, style)
+    window.Render()
+
+    grab = _vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    writer = _vtkPNGWriter()
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.SetFileName(path)
+    writer.Write()
+    illustration.Remove()
+    if writer.GetErrorCode() != 0:
+        raise OSError(f"{path}: could not be written")
