@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace npr
@@ -22,11 +23,12 @@ using Index = TriangleMesh::Index;
 using Triangle = TriangleMesh::Triangle;
 using Eigen::Vector3d;
 
-constexpr double SmallestCosine = 0.5;    // normals that differ by more than 60 degrees: no curve
-constexpr double LargestMove = 0.2;       // of the edge's length; a semicircle would need 0.5
-constexpr double FlatCosine = 0.9999;     // less than 0.8 degrees from end to end
-constexpr double FlatSlope = 0.01;        // between a normal and the plane across the edge
-constexpr int MaximumNumberOfPasses = 12; // each halves the edges
+constexpr double SmallestCosine = 0.5; // normals that differ by more than 60 degrees: no curve
+constexpr double LargestMove = 0.2;    // of the edge's length; a semicircle would need 0.5
+constexpr double LargestMoveOfShortest = 0.5; // of the shortest edge at either end
+constexpr double FlatCosine = 0.9999;         // less than 0.8 degrees from end to end
+constexpr double FlatSlope = 0.01;            // between a normal and the plane across the edge
+constexpr int MaximumNumberOfPasses = 12;     // each halves the edges
 
 /// Edges that are copies of one, where the preparation has split the surface.
 using Copies = std::vector<Index>;
@@ -92,6 +94,7 @@ public:
         }
       });
     this->FindCopies();
+    this->FindShortestEdges();
   }
 
   void MarkAll() { std::fill(this->IsMarked.begin(), this->IsMarked.end(), 1); }
@@ -224,6 +227,33 @@ private:
     }
   }
 
+  void FindShortestEdges()
+  {
+    this->ShortestEdges.assign(this->Mesh.GetNumberOfPoints(), std::numeric_limits<double>::max());
+    for (Index i = 0; i < this->Mesh.GetNumberOfEdges(); ++i)
+    {
+      for (Index end : this->Mesh.GetEdge(i))
+      {
+        this->ShortestEdges[end] = std::min(this->ShortestEdges[end], this->Lengths[i]);
+      }
+    }
+  }
+
+  /// A long edge between finely sampled places, such as the ends of a fillet, is no coarse piece of
+  /// a curve, whatever the normals at its ends say.
+  double GetLargestMove(const Copies& copies) const
+  {
+    double largest = LargestMove * this->Lengths[copies.front()];
+    for (Index edge : copies)
+    {
+      for (Index end : this->Mesh.GetEdge(edge))
+      {
+        largest = std::min(largest, LargestMoveOfShortest * this->ShortestEdges[end]);
+      }
+    }
+    return largest;
+  }
+
   /// The shortest move that has the offset of each copy along that copy's normal.
   Vector3d GetCommonMove(const Copies& copies) const
   {
@@ -289,7 +319,8 @@ private:
           const std::array<Index, 2> base = isCopy ? this->Mesh.GetEdge(firstCopies[index]) : ends;
           Vector3d move =
             isCopy ? this->GetCommonMove(this->AllCopies[groups[index]]) : edge.GetMove();
-          const double longest = LargestMove * edge.Length;
+          const double longest = isCopy ? this->GetLargestMove(this->AllCopies[groups[index]])
+                                        : this->GetLargestMove({ index });
           if (move.norm() > longest)
           {
             move *= longest / move.norm();
@@ -374,6 +405,7 @@ private:
   TriangleMesh Mesh;
   std::vector<int> Counts; // of triangles at the edges
   std::vector<double> Lengths;
+  std::vector<double> ShortestEdges; // at each point
   std::vector<unsigned char> IsMarked;
   std::vector<Copies> AllCopies;
   std::vector<Index> Midpoints; // of the edges, or -1

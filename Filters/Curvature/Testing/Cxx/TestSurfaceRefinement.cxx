@@ -194,6 +194,37 @@ void TestFlat(Checks& check)
   CheckClosed(smooth.Update(), "smooth cube", check);
 }
 
+/// The straight part of a fillet: long edges between finely sampled ends, whose normals lean
+/// outwards as they would at the ends of an arc. It must not swell like one.
+void TestLongEdges(Checks& check)
+{
+  constexpr double Length = 10.0;
+  constexpr double Breadth = 0.1;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName(npr::names::Normals);
+  normals->SetNumberOfComponents(3);
+  for (int i = 0; i < 4; ++i)
+  {
+    const bool atEnd = i == 1 || i == 2;
+    points->InsertNextPoint(atEnd ? Length : 0.0, i >= 2 ? Breadth : 0.0, 0.0);
+    normals->InsertNextTuple3(atEnd ? 0.4 : -0.4, 0.0, std::sqrt(1.0 - 0.4 * 0.4));
+  }
+  triangles->InsertNextCell({ 0, 1, 2 });
+  triangles->InsertNextCell({ 0, 2, 3 });
+  vtkNew<vtkPolyData> strip;
+  strip->SetPoints(points);
+  strip->SetPolys(triangles);
+  strip->GetPointData()->SetNormals(normals);
+  vtkNew<vtkNPRSurfaceRefinement> refinement;
+  refinement->SetInputData(strip);
+  refinement->SetNumberOfLevels(3);
+  refinement->Update();
+  const double* bounds = refinement->GetOutput()->GetBounds();
+  check(bounds[5] < Breadth, "long edges between short ones stay nearly straight", bounds[5]);
+}
+
 void TestArrays(Checks& check)
 {
   AnalyticSurface waves = MakeWaves(12);
@@ -235,6 +266,7 @@ void TestArrays(Checks& check)
 int TestSurfaceRefinement(int, char*[])
 {
   Checks check;
+  TestLongEdges(check);
   TestSphere(check);
   TestCan(check);
   TestFlat(check);
