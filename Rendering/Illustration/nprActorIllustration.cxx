@@ -226,10 +226,11 @@ void ActorIllustration::AddStrokes(const LineStyle& line, vtkMatrix4x4* matrix)
 
   strokes.Splines = vtkSmartPointer<vtkNPRSplineStrokes>::New();
   strokes.Splines->SetInputConnection(strokes.Selection->GetOutputPort());
-  strokes.Splines->SetSplineType(line.Spline == "none" ? vtkNPRSplineStrokes::NONE
-      : line.Spline == "b-spline"                      ? vtkNPRSplineStrokes::B_SPLINE
-                                                       : vtkNPRSplineStrokes::CATMULL_ROM);
-  strokes.Splines->SetSmoothingIterations(line.Smoothing);
+  const bool straight = line.Spline == "none" || this->Pipeline.IsFaceted();
+  strokes.Splines->SetSplineType(straight ? vtkNPRSplineStrokes::NONE
+      : line.Spline == "b-spline"         ? vtkNPRSplineStrokes::B_SPLINE
+                                          : vtkNPRSplineStrokes::CATMULL_ROM);
+  strokes.Splines->SetSmoothingIterations(this->Pipeline.IsFaceted() ? 0 : line.Smoothing);
 
   strokes.Mapper = vtkSmartPointer<vtkNPRStrokeMapper>::New();
   strokes.Mapper->SetInputConnection(strokes.Splines->GetOutputPort());

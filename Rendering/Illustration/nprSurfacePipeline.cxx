@@ -11,26 +11,58 @@
 #include "vtkNPRSurfacePreparation.h"
 #include "vtkNPRSurfaceRefinement.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkMath.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTimerLog.h>
+
+#include <cmath>
 
 namespace npr
 {
+namespace
+{
+double ComputeMeanEdge(vtkPolyData* surface)
+{
+  double sum = 0.0;
+  vtkIdType count = 0;
+  auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    iterator->GetCurrentCell(size, corners);
+    for (vtkIdType i = 0; i < size; ++i, ++count)
+    {
+      double from[3], to[3];
+      surface->GetPoint(corners[i], from);
+      surface->GetPoint(corners[(i + 1) % size], to);
+      sum += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+    }
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+}
+
 //------------------------------------------------------------------------------
 SurfacePipeline::SurfacePipeline()
 {
   this->Normals->SetInputConnection(this->Preparation->GetOutputPort());
   this->Tensor->SetInputConnection(this->Normals->GetOutputPort());
   this->Refinement->SetInputConnection(this->Tensor->GetOutputPort());
-  this->Derivatives->SetInputConnection(this->Refinement->GetOutputPort());
+  this->RefinedNormals->SetInputConnection(this->Refinement->GetOutputPort());
+  this->Derivatives->SetInputConnection(this->RefinedNormals->GetOutputPort());
   this->Lines->SetInputConnection(this->Derivatives->GetOutputPort());
   this->Watch(this->Preparation, "prepare");
   this->Watch(this->Normals, "prepare");
   this->Watch(this->Tensor, "curvature");
   this->Watch(this->Refinement, "prepare");
+  this->Watch(this->RefinedNormals, "prepare");
   this->Watch(this->Derivatives, "curvature");
   this->Watch(this->Lines, "lines");
 }
@@ -55,12 +87,20 @@ void SurfacePipeline::Tune(const GeometryStyle& geometry, double unit, bool refi
   this->Refinement->SetMaximumEdgeLength(geometry.Refinement * unitOfScale);
   const bool refined = refine && geometry.Refinement * unitOfScale > 0.0;
   this->Refinement->SetNumberOfLevels(refined ? -1 : 0);
+
+  this->Faceted =
+    !refine && ComputeMeanEdge(this->Preparation->GetOutput()) > geometry.Refinement * unit;
+  if (this->Faceted)
+  {
+    // Each facet is a patch of its own, so contours run along the edges between them.
+    this->Preparation->SetCreaseAngle(0.0);
+  }
 }
 
 //------------------------------------------------------------------------------
 vtkAlgorithmOutput* SurfacePipeline::GetSurfacePort()
 {
-  return this->Derivatives->GetOutputPort();
+  return this->Refinement->GetOutputPort();
 }
 
 //------------------------------------------------------------------------------

@@ -28,7 +28,10 @@ struct GeometryStyle;
  * @class SurfacePipeline
  * @brief The filters from any surface to its feature lines, connected and tuned to a view.
  *
- * preparation -> normals -> curvature tensor -> refinement -> derivatives -> feature lines.
+ * preparation -> normals -> curvature tensor -> refinement -> its own normals -> derivatives ->
+ * feature lines.
+ * The refined surface is shaded with the normals that it was made from, which are smooth; its lines
+ * are taken with its own, so that its outline is where its facets turn away.
  * The curvature is taken from the mesh as it is; refinement then carries it to a finer, smooth
  * mesh, so that coarse models get smooth outlines, too.
  */
@@ -44,8 +47,12 @@ public:
 
   /// Lengths on the page become lengths on the surface by unit: what a thousandth of the image's
   /// shorter side is in the coordinates of the surface. Prepares the surface, for its length scale.
-  /// A surface whose points must stay as they are (for its texture, say) is not refined.
+  /// A surface that is shown as it is (for its texture, say) is not refined; where it is coarse, so
+  /// that its facets are seen, its outline is that of the facets.
   void Tune(const GeometryStyle& geometry, double unit, bool refine);
+
+  /// Whether lines follow the edges of facets, and so are to be straight.
+  bool IsFaceted() const { return this->Faceted; }
 
   /// The prepared, smooth surface with its normals, to be shaded.
   vtkAlgorithmOutput* GetSurfacePort();
@@ -73,6 +80,7 @@ private:
   vtkNew<vtkNPRSurfaceNormals> Normals;
   vtkNew<vtkNPRCurvatureTensor> Tensor;
   vtkNew<vtkNPRSurfaceRefinement> Refinement;
+  vtkNew<vtkNPRSurfaceNormals> RefinedNormals;
   vtkNew<vtkNPRCurvatureDerivatives> Derivatives;
   vtkNew<vtkNPRFeatureLines> Lines;
 
@@ -80,6 +88,7 @@ private:
   std::map<vtkObject*, std::string> Stages;
   std::map<std::string, double> Seconds;
   double StartTime = 0.0;
+  bool Faceted = false;
 };
 }
 
