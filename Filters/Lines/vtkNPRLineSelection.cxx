@@ -48,9 +48,9 @@ int vtkNPRLineSelection::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->GetFieldData()->PassData(input->GetFieldData());
 
-  vtkIdType wanted = -1;
+  vtkIdType wanted = this->LineIndex;
   vtkDataArray* types = nullptr;
-  if (!this->LineType.empty() && input->GetNumberOfLines() > 0)
+  if ((this->LineIndex >= 0 || !this->LineType.empty()) && input->GetNumberOfLines() > 0)
   {
     types = input->GetCellData()->GetArray(npr::names::LineType);
     auto names = vtkStringArray::SafeDownCast(
@@ -62,7 +62,10 @@ int vtkNPRLineSelection::RequestData(
                                                    << "; vtkNPRFeatureLines makes them");
       return 0;
     }
-    wanted = names->LookupValue(this->LineType);
+    if (this->LineIndex < 0)
+    {
+      wanted = names->LookupValue(this->LineType);
+    }
   }
 
   output->SetPoints(input->GetPoints());
@@ -92,5 +95,6 @@ void vtkNPRLineSelection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LineType: " << this->LineType << "\n";
+  os << indent << "LineIndex: " << this->LineIndex << "\n";
   os << indent << "MinimumLength: " << this->MinimumLength << "\n";
 }

@@ -31,6 +31,13 @@ public:
   vtkGetMacro(LineType, std::string);
   ///@}
 
+  /// @name The kind of line, as the index of its definition in vtkNPRFeatureLines
+  /// Tells two definitions of one kind apart. -1 (the default) leaves the choice to LineType.
+  ///@{
+  vtkSetMacro(LineIndex, int);
+  vtkGetMacro(LineIndex, int);
+  ///@}
+
   /// @name Shorter polylines are left out; unit: length, >= 0, default 0
   ///@{
   vtkSetClampMacro(MinimumLength, double, 0.0, VTK_DOUBLE_MAX);
@@ -48,6 +55,7 @@ private:
   void operator=(const vtkNPRLineSelection&) = delete;
 
   std::string LineType;
+  int LineIndex = -1;
   double MinimumLength = 0.0;
 };
 

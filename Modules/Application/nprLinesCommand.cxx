@@ -2,34 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCommands.h"
 
-#include "nprActorIllustration.h"
 #include "nprImageFile.h"
 #include "nprRenderJob.h"
 #include "nprReporter.h"
-#include "nprStyleDocument.h"
-#include "nprSurfacePipeline.h"
+#include "nprStyleOptions.h"
 #include "nprViewOptions.h"
-#include "vtkNPRFeatureLines.h"
+#include "vtkNPRIllustration.h"
+#include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRLineDefinition.h"
 
-#include <vtkActor.h>
-#include <vtkActorCollection.h>
-#include <vtkAppendPolyData.h>
-#include <vtkFieldData.h>
-#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <memory>
+#include <string>
 
 namespace npr
 {
@@ -54,59 +47,6 @@ void ListLines()
   }
 }
 
-/// Checked before a model is read, which may take long.
-std::vector<std::string> GetLineNames(const LinesOptions& options)
-{
-  std::vector<std::string> names = SplitList(options.Lines);
-  std::string known;
-  for (int i = 0; i < vtkNPRLineDefinition::GetNumberOfLineNames(); ++i)
-  {
-    known += (i == 0 ? "" : ", ") + std::string(vtkNPRLineDefinition::GetLineName(i));
-  }
-  for (const std::string& name : names)
-  {
-    if (!vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name.c_str())))
-    {
-      throw CommandError(
-        UsageError, "--lines: unknown kind of line '" + name + "'; there are: " + known);
-    }
-  }
-  if (names.empty())
-  {
-    throw CommandError(UsageError, "--lines names no kind of line; there are: " + known);
-  }
-  return names;
-}
-
-/// The lines of one actor, in the world.
-vtkSmartPointer<vtkPolyData> ExtractLines(
-  vtkActor* actor, vtkRenderer* renderer, const std::vector<std::string>& names, Reporter& reporter)
-{
-  SurfacePipeline pipeline;
-  pipeline.SetProgress([&](double fraction) { reporter.ShowProgress("extracting", fraction); });
-  pipeline.SetInputConnection(actor->GetMapper()->GetInputConnection(0, 0));
-  pipeline.Tune(GeometryStyle(), PageScale::Of(renderer).GetUnit(actor->GetMatrix()), true);
-  vtkNPRFeatureLines* lines = pipeline.GetFeatureLines();
-  for (const std::string& name : names)
-  {
-    lines->AddDefinition(name.c_str());
-  }
-  lines->SetCamera(renderer->GetActiveCamera());
-  lines->SetMatrix(actor->GetMatrix());
-  vtkNew<vtkTransform> transform;
-  transform->SetMatrix(actor->GetMatrix());
-  vtkNew<vtkTransformPolyDataFilter> toWorld;
-  toWorld->SetTransform(transform);
-  toWorld->SetInputConnection(lines->GetOutputPort());
-  toWorld->Update();
-  reporter.ThrowOnVTKError(InputError);
-  for (const char* stage : { "prepare", "curvature", "lines" })
-  {
-    reporter.AddStage(stage, pipeline.GetSeconds(stage));
-  }
-  return toWorld->GetOutput();
-}
-
 void WriteLines(vtkPolyData* lines, const std::string& file)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
@@ -126,11 +66,18 @@ void MakeLines(const LinesOptions& options, Reporter& reporter)
     throw CommandError(UsageError, options.Output + ": lines are written as .vtp");
   }
   CheckWritable(options.Output);
-  const std::vector<std::string> names = GetLineNames(options);
-  const std::array<int, 2> size = options.View.GetSize();
+  // All styles have the same lines; how a style draws them plays no part.
+  vtkNew<vtkNPRIllustrationStyle> style;
+  StyleOptions styleOptions;
+  styleOptions.Lines = options.Lines;
+  styleOptions.ApplyTo(style, reporter);
+  if (SplitList(options.Lines).empty())
+  {
+    throw CommandError(UsageError, "--lines names no kind of line (npr lines --list)");
+  }
 
   // Nothing is drawn, but the shape of the image decides what the camera sees.
-  const auto window = MakeWindow(reporter, size);
+  const auto window = MakeWindow(reporter, options.View.GetSize());
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
   reporter.BeginStage("read");
@@ -138,17 +85,18 @@ void MakeLines(const LinesOptions& options, Reporter& reporter)
   reporter.EndStage();
   options.View.Apply(renderer, options.Models);
 
-  vtkNew<vtkAppendPolyData> append;
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  vtkNew<vtkNPRIllustration> illustration;
+  reporter.Watch(illustration, "extracting");
+  illustration->SetRenderer(renderer);
+  illustration->SetStyle(style);
+  illustration->Apply();
+  vtkNew<vtkPolyData> lines;
+  illustration->GetLines(lines);
+  reporter.ThrowOnVTKError(InputError);
+  for (const char* stage : { "prepare", "curvature", "lines" })
   {
-    append->AddInputData(ExtractLines(actor, renderer, names, reporter));
+    reporter.AddStage(stage, illustration->GetStageSeconds(stage));
   }
-  append->Update();
-  vtkPolyData* lines = append->GetOutput();
-  lines->GetFieldData()->PassData(append->GetInput()->GetFieldData());
   WriteLines(lines, options.Output);
   reporter.PrintStages();
   reporter.Note(std::to_string(lines->GetNumberOfLines()) + " chains of " +

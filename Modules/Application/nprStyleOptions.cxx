@@ -26,20 +26,24 @@ void StyleOptions::AddTo(CLI::App& command)
 //------------------------------------------------------------------------------
 void StyleOptions::ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) const
 {
-  bool good = style->Load(this->Style);
-  if (good && !this->Lines.empty())
+  const auto check = [&](bool good, ExitCode code)
   {
-    good = style->SelectLines(
-      this->Lines == "none" ? std::vector<std::string>() : SplitList(this->Lines));
+    reporter.DropVTKErrors();
+    if (!good)
+    {
+      throw CommandError(code, style->GetErrorMessage());
+    }
+  };
+  check(style->Load(this->Style), InputError);
+  if (!this->Lines.empty())
+  {
+    const bool none = this->Lines == "none";
+    check(
+      style->SelectLines(none ? std::vector<std::string>() : SplitList(this->Lines)), UsageError);
   }
-  if (good && !this->Background.empty() && !this->IsTransparent())
+  if (!this->Background.empty() && !this->IsTransparent())
   {
-    good = style->SetBackground(this->Background);
-  }
-  reporter.DropVTKErrors();
-  if (!good)
-  {
-    throw CommandError(InputError, style->GetErrorMessage());
+    check(style->SetBackground(this->Background), UsageError);
   }
 }
 }

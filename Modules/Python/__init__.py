@@ -57,7 +57,8 @@ def illustrate(renderer, style="technical"):
     illustration = vtkNPRIllustration()
     illustration.SetRenderer(renderer)
     illustration.SetStyle(document)
-    illustration.Apply()
+    if not illustration.Apply():
+        raise ValueError("there is no renderer to illustrate")
     return illustration
 
 
@@ -66,14 +67,15 @@ def render(surface, path, style="technical", size=(1600, 1200), view="three-quar
 
     `view` is a name that vtkNPRViewpoint knows or (azimuth, elevation) in degrees; `size` is
     (width, height) in pixels. Raises ValueError for what is not valid and OSError when the file
-    can not be written.
+    can not be written, RuntimeError where nothing can be drawn with.
     """
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
         raise ValueError("the surface has no polygons, so there is nothing to draw")
     path = _os.fspath(path)
     if not path.lower().endswith(".png"):
         raise ValueError(f"{path}: only .png is written here")
-    vtkNPROffscreen.Setup()
+    if not vtkNPROffscreen.Setup():
+        raise RuntimeError(vtkNPROffscreen.GetErrorMessage())
     mapper = _vtkPolyDataMapper()
     mapper.SetInputData(surface)
     actor = _vtkActor()
@@ -82,7 +84,7 @@ def render(surface, path, style="technical", size=(1600, 1200), view="three-quar
     renderer.AddActor(actor)
     window = _vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
+    window.SetMultiSamples(4)
     window.SetSize(*size)
     window.AddRenderer(renderer)
 

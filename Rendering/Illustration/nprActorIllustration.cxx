@@ -15,7 +15,6 @@
 #include <vtkCompositeDataGeometryFilter.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
-#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -23,15 +22,18 @@
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkTexture.h>
 
-#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace npr
 {
 namespace
 {
-/// A port that gives the surface of whatever a mapper shows.
+/// What gives the surface of a mapper's input where that is no vtkPolyData; null where it is one,
+/// or nothing with a surface.
 vtkSmartPointer<vtkAlgorithm> MakeSurfaceSource(vtkMapper* mapper)
 {
   vtkDataObject* data = mapper->GetInputDataObject(0, 0);
@@ -40,22 +42,15 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceSource(vtkMapper* mapper)
   {
     source = vtkSmartPointer<vtkCompositeDataGeometryFilter>::New();
   }
-  else
+  else if (vtkDataSet::SafeDownCast(data) && !vtkPolyData::SafeDownCast(data))
   {
     source = vtkSmartPointer<vtkDataSetSurfaceFilter>::New();
   }
-  source->SetInputConnection(mapper->GetInputConnection(0, 0));
+  if (source)
+  {
+    source->SetInputConnection(mapper->GetInputConnection(0, 0));
+  }
   return source;
-}
-
-/// In images with a shorter side than this many pixels, lines get no thinner.
-constexpr int SmallestSide = 600;
-
-/// How much a matrix enlarges, on the average over directions.
-double ScaleOf(vtkMatrix4x4* matrix)
-{
-  const double volume = std::abs(matrix->Determinant());
-  return volume > 0.0 ? std::cbrt(volume) : 1.0;
 }
 
 bool HasOwnColor(vtkMapper* mapper, vtkActor* actor)
@@ -72,28 +67,6 @@ bool HasOwnColor(vtkMapper* mapper, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-PageScale PageScale::Of(vtkRenderer* renderer)
-{
-  const int* size = renderer->GetSize();
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double height = camera->GetParallelProjection() ? 2.0 * camera->GetParallelScale()
-                                                        : 2.0 * camera->GetDistance() *
-      std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-  PageScale scale;
-  const int shorter = std::max(1, std::min(size[0], size[1]));
-  scale.PixelsPerUnit = shorter / 1000.0;
-  scale.PixelsPerUnitOfWidth = std::max(shorter, SmallestSide) / 1000.0;
-  scale.WorldPerPixel = height / std::max(1, size[1]);
-  return scale;
-}
-
-//------------------------------------------------------------------------------
-double PageScale::GetUnit(vtkMatrix4x4* modelToWorld) const
-{
-  return this->PixelsPerUnit * this->WorldPerPixel / ScaleOf(modelToWorld);
-}
-
-//------------------------------------------------------------------------------
 bool ActorIllustration::Accepts(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
@@ -103,44 +76,52 @@ bool ActorIllustration::Accepts(vtkActor* actor)
     return false;
   }
   mapper->GetInputAlgorithm()->Update();
-  if (vtkPolyData* surface = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)))
+  const vtkSmartPointer<vtkAlgorithm> source = MakeSurfaceSource(mapper);
+  if (source)
   {
-    return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+    source->Update();
   }
-  return vtkCompositeDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0)) ||
-    vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  auto surface = vtkPolyData::SafeDownCast(
+    source ? source->GetOutputDataObject(0) : mapper->GetInputDataObject(0, 0));
+  return surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
 }
 
 //------------------------------------------------------------------------------
-ActorIllustration::ActorIllustration(
-  vtkActor* actor, vtkRenderer* renderer, const StyleDocument& style, const PageScale& scale)
+ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
+  const StyleDocument& style, const PageScale& scale, std::function<void(double)> progress)
   : Actor(actor), Renderer(renderer), OriginalMapper(actor->GetMapper()),
-    OriginalProperty(actor->GetProperty())
+    OriginalProperty(actor->GetProperty()), OriginalTexture(actor->GetTexture()),
+    SurfaceMapper(vtkSmartPointer<vtkPolyDataMapper>::New())
 {
-  vtkPolyData* surface = vtkPolyData::SafeDownCast(this->OriginalMapper->GetInputDataObject(0, 0));
-  if (!surface)
-  {
-    this->Source = MakeSurfaceSource(this->OriginalMapper);
-  }
-  this->Pipeline.SetInputConnection(
-    this->Source ? this->Source->GetOutputPort() : this->OriginalMapper->GetInputConnection(0, 0));
-
+  this->Pipeline.SetProgress(std::move(progress));
   // Refinement welds points, and a texture needs each of its copies.
-  const bool isTextured = actor->GetTexture() && surface && surface->GetPointData()->GetTCoords();
-  vtkMatrix4x4* matrix = actor->GetMatrix();
-  this->MatrixScale = ScaleOf(matrix);
-  this->Pipeline.Tune(style.Geometry, scale.GetUnit(matrix), !isTextured);
-  this->ShadeSurface(style, isTextured ? surface : nullptr);
+  auto surface = vtkPolyData::SafeDownCast(this->OriginalMapper->GetInputDataObject(0, 0));
+  this->IsTextured = this->OriginalTexture && !IsPaper(style.Shading) && surface &&
+    surface->GetPointData()->GetTCoords();
+  if (this->IsTextured && !surface->GetPointData()->GetNormals())
+  {
+    this->ShownNormals = vtkSmartPointer<vtkPolyDataNormals>::New();
+    this->ShownNormals->SetFeatureAngle(style.Geometry.CreaseAngle);
+  }
+  this->SurfaceMapper->vtkMapper::ShallowCopy(this->OriginalMapper);
+  this->Connect();
+  this->MatrixScale = ComputeScale(actor->GetMatrix());
+  this->Pipeline.Tune(style.Geometry, scale.GetUnit(actor->GetMatrix()), !this->IsTextured);
+  this->ShadeSurface(style);
 
+  if (style.Lines.empty())
+  {
+    this->Pipeline.SkipCurvature();
+  }
   vtkNPRFeatureLines* lines = this->Pipeline.GetFeatureLines();
-  lines->SetCamera(renderer->GetActiveCamera());
-  lines->SetMatrix(matrix);
+  lines->SetMatrix(actor->GetMatrix());
   for (std::size_t i = 0; i < style.Lines.size(); ++i)
   {
     lines->AddDefinition(MakeLineDefinition(style.Lines[i], "/lines/" + std::to_string(i)));
-    this->AddStrokes(style.Lines[i], matrix);
+    this->AddStrokes(style.Lines[i], static_cast<int>(i));
   }
-  this->SetScale(scale);
+  this->Follow(scale);
+  this->Pipeline.Update();
 }
 
 //------------------------------------------------------------------------------
@@ -150,102 +131,54 @@ ActorIllustration::~ActorIllustration()
   {
     this->Renderer->RemoveActor(strokes.Actor);
   }
-  if (this->IsCurrent())
+  if (this->Actor->GetMapper() == this->SurfaceMapper)
   {
     this->Actor->SetMapper(this->OriginalMapper);
     this->Actor->SetProperty(this->OriginalProperty);
+    this->Actor->SetTexture(this->OriginalTexture);
   }
 }
 
 //------------------------------------------------------------------------------
-bool ActorIllustration::IsCurrent() const
+void ActorIllustration::Connect()
 {
-  return this->Actor->GetMapper() == this->SurfaceMapper;
-}
-
-//------------------------------------------------------------------------------
-void ActorIllustration::ShadeSurface(const StyleDocument& style, vtkPolyData* textured)
-{
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->vtkMapper::ShallowCopy(this->OriginalMapper);
-  if (!textured)
+  this->Input = this->OriginalMapper->GetInputConnection(0, 0);
+  this->Source = MakeSurfaceSource(this->OriginalMapper);
+  this->Pipeline.SetInputConnection(this->Source ? this->Source->GetOutputPort() : this->Input.Get());
+  if (this->ShownNormals)
   {
-    mapper->SetInputConnection(this->Pipeline.GetSurfacePort());
-  }
-  else if (textured->GetPointData()->GetNormals())
-  {
-    mapper->SetInputConnection(this->OriginalMapper->GetInputConnection(0, 0));
+    this->ShownNormals->SetInputConnection(this->Input);
+    this->SurfaceMapper->SetInputConnection(this->ShownNormals->GetOutputPort());
   }
   else
   {
-    vtkNew<vtkPolyDataNormals> normals;
-    normals->SetInputConnection(this->OriginalMapper->GetInputConnection(0, 0));
-    normals->SetFeatureAngle(style.Geometry.CreaseAngle);
-    mapper->SetInputConnection(normals->GetOutputPort());
+    this->SurfaceMapper->SetInputConnection(
+      this->IsTextured ? this->Input.Get() : this->Pipeline.GetSurfacePort());
   }
-
-  vtkNew<vtkProperty> property;
-  property->DeepCopy(this->OriginalProperty);
-  const ShadingStyle& shading = style.Shading;
-  if (IsPaper(shading))
-  {
-    property->LightingOff();
-    property->SetColor(
-      style.BackgroundBottom[0], style.BackgroundBottom[1], style.BackgroundBottom[2]);
-    property->SetOpacity(1.0);
-    mapper->ScalarVisibilityOff();
-  }
-  else
-  {
-    property->SetInterpolationToPhong();
-    property->SetAmbient(shading.Ambient);
-    property->SetDiffuse(shading.Diffuse);
-    property->SetSpecular(shading.Specular);
-    property->SetSpecularPower(shading.SpecularPower);
-    if (!HasOwnColor(this->OriginalMapper, this->Actor))
-    {
-      property->SetColor(shading.Surface[0], shading.Surface[1], shading.Surface[2]);
-    }
-  }
-  this->SurfaceMapper = mapper;
-  this->Actor->SetMapper(mapper);
-  this->Actor->SetProperty(property);
 }
 
 //------------------------------------------------------------------------------
-void ActorIllustration::AddStrokes(const LineStyle& line, vtkMatrix4x4* matrix)
+void ActorIllustration::Follow(const PageScale& scale)
 {
-  Strokes strokes;
-  strokes.WidthInUnits = line.Width;
-
-  strokes.MinimumLengthInUnits = line.MinimumLength;
-
-  strokes.Selection = vtkSmartPointer<vtkNPRLineSelection>::New();
-  strokes.Selection->SetInputConnection(this->Pipeline.GetFeatureLines()->GetOutputPort());
-  strokes.Selection->SetLineType(line.Type);
-
-  strokes.Splines = vtkSmartPointer<vtkNPRSplineStrokes>::New();
-  strokes.Splines->SetInputConnection(strokes.Selection->GetOutputPort());
-  const bool straight = line.Spline == "none" || this->Pipeline.IsFaceted();
-  strokes.Splines->SetSplineType(straight ? vtkNPRSplineStrokes::NONE
-      : line.Spline == "b-spline"         ? vtkNPRSplineStrokes::B_SPLINE
-                                          : vtkNPRSplineStrokes::CATMULL_ROM);
-  strokes.Splines->SetSmoothingIterations(this->Pipeline.IsFaceted() ? 0 : line.Smoothing);
-
-  strokes.Mapper = vtkSmartPointer<vtkNPRStrokeMapper>::New();
-  strokes.Mapper->SetInputConnection(strokes.Splines->GetOutputPort());
-  strokes.Mapper->SetStrengthToWidth(line.Taper);
-  strokes.Mapper->SetStrengthToOpacity(line.Fade);
-
-  strokes.Actor = vtkSmartPointer<vtkActor>::New();
-  strokes.Actor->SetMapper(strokes.Mapper);
-  strokes.Actor->SetUserMatrix(matrix);
-  strokes.Actor->GetProperty()->SetColor(line.Ink[0], line.Ink[1], line.Ink[2]);
-  strokes.Actor->GetProperty()->SetOpacity(line.Opacity);
-  strokes.Actor->PickableOff();
-  strokes.Actor->UseBoundsOff();
-  this->Renderer->AddActor(strokes.Actor);
-  this->AllStrokes.push_back(strokes);
+  const bool isShown = this->Actor->GetVisibility() &&
+    this->Actor->GetMapper() == this->SurfaceMapper && this->Renderer->HasViewProp(this->Actor);
+  for (Strokes& strokes : this->AllStrokes)
+  {
+    strokes.Actor->SetVisibility(isShown);
+  }
+  if (!isShown)
+  {
+    return;
+  }
+  if (this->OriginalMapper->GetNumberOfInputConnections(0) > 0 &&
+    this->OriginalMapper->GetInputConnection(0, 0) != this->Input)
+  {
+    this->Connect();
+  }
+  // Asking for the matrix brings it up to date; lines and strokes hold on to the object.
+  this->MatrixScale = ComputeScale(this->Actor->GetMatrix());
+  this->Pipeline.GetFeatureLines()->SetCamera(this->Renderer->GetActiveCamera());
+  this->SetScale(scale);
 }
 
 //------------------------------------------------------------------------------
@@ -275,5 +208,72 @@ void ActorIllustration::SetScale(const PageScale& scale)
 void ActorIllustration::SetWorldLengthScale(double scale)
 {
   this->Pipeline.GetFeatureLines()->SetLengthScale(scale / this->MatrixScale);
+}
+
+//------------------------------------------------------------------------------
+void ActorIllustration::ShadeSurface(const StyleDocument& style)
+{
+  vtkNew<vtkProperty> property;
+  property->DeepCopy(this->OriginalProperty);
+  const ShadingStyle& shading = style.Shading;
+  if (IsPaper(shading))
+  {
+    const Color& paper = style.BackgroundBottom;
+    property->LightingOff();
+    property->SetColor(paper[0], paper[1], paper[2]);
+    property->SetOpacity(1.0);
+    this->SurfaceMapper->ScalarVisibilityOff();
+    this->Actor->SetTexture(nullptr);
+  }
+  else
+  {
+    property->SetInterpolationToPhong();
+    property->SetAmbient(shading.Ambient);
+    property->SetDiffuse(shading.Diffuse);
+    property->SetSpecular(shading.Specular);
+    property->SetSpecularPower(shading.SpecularPower);
+    if (!HasOwnColor(this->OriginalMapper, this->Actor))
+    {
+      property->SetColor(shading.Surface[0], shading.Surface[1], shading.Surface[2]);
+    }
+  }
+  this->Actor->SetMapper(this->SurfaceMapper);
+  this->Actor->SetProperty(property);
+}
+
+//------------------------------------------------------------------------------
+void ActorIllustration::AddStrokes(const LineStyle& line, int index)
+{
+  Strokes strokes;
+  strokes.WidthInUnits = line.Width;
+  strokes.MinimumLengthInUnits = line.MinimumLength;
+
+  strokes.Selection = vtkSmartPointer<vtkNPRLineSelection>::New();
+  strokes.Selection->SetInputConnection(this->Pipeline.GetFeatureLines()->GetOutputPort());
+  strokes.Selection->SetLineIndex(index);
+
+  strokes.Splines = vtkSmartPointer<vtkNPRSplineStrokes>::New();
+  strokes.Splines->SetInputConnection(strokes.Selection->GetOutputPort());
+  const bool straight = line.Spline == "none" || this->Pipeline.IsFaceted();
+  strokes.Splines->SetSplineType(straight ? vtkNPRSplineStrokes::NONE
+      : line.Spline == "b-spline"         ? vtkNPRSplineStrokes::B_SPLINE
+                                          : vtkNPRSplineStrokes::CATMULL_ROM);
+  strokes.Splines->SetSmoothingIterations(this->Pipeline.IsFaceted() ? 0 : line.Smoothing);
+
+  strokes.Mapper = vtkSmartPointer<vtkNPRStrokeMapper>::New();
+  strokes.Mapper->SetInputConnection(strokes.Splines->GetOutputPort());
+  strokes.Mapper->SetStrengthToWidth(line.Taper);
+  strokes.Mapper->SetStrengthToOpacity(line.Fade);
+  strokes.Mapper->SetClippingPlanes(this->OriginalMapper->GetClippingPlanes());
+
+  strokes.Actor = vtkSmartPointer<vtkActor>::New();
+  strokes.Actor->SetMapper(strokes.Mapper);
+  strokes.Actor->SetUserMatrix(this->Actor->GetMatrix());
+  strokes.Actor->GetProperty()->SetColor(line.Ink[0], line.Ink[1], line.Ink[2]);
+  strokes.Actor->GetProperty()->SetOpacity(line.Opacity);
+  strokes.Actor->PickableOff();
+  strokes.Actor->UseBoundsOff();
+  this->Renderer->AddActor(strokes.Actor);
+  this->AllStrokes.push_back(strokes);
 }
 }

@@ -3,12 +3,13 @@
 #ifndef nprActorIllustration_h
 #define nprActorIllustration_h
 
+#include "nprPageScale.h"
 #include "nprSurfacePipeline.h"
-#include "vtkNPRRenderingIllustrationModule.h"
 
-#include <vtkNew.h>
+#include <vtkAlgorithmOutput.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <vector>
 
 class vtkActor;
@@ -19,33 +20,23 @@ class vtkNPRLineSelection;
 class vtkNPRSplineStrokes;
 class vtkNPRStrokeMapper;
 class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkPolyDataNormals;
 class vtkProperty;
 class vtkRenderer;
+class vtkTexture;
 
 namespace npr
 {
 struct LineStyle;
 struct StyleDocument;
 
-/// The sizes that tie a style's page units to a view of the model.
-struct VTKNPRRENDERINGILLUSTRATION_EXPORT PageScale
-{
-  double PixelsPerUnit = 1.0;        ///< Pixels in a thousandth of the image's shorter side.
-  double PixelsPerUnitOfWidth = 1.0; ///< The same, but for widths: small images keep visible lines.
-  double WorldPerPixel = 1.0;        ///< Length of a pixel's side at the focal point.
-
-  static PageScale Of(vtkRenderer* renderer);
-
-  /// What a thousandth of the image's shorter side is in the coordinates of a model.
-  double GetUnit(vtkMatrix4x4* modelToWorld) const;
-};
-
 /**
  * @class ActorIllustration
  * @brief One actor of the user's, its surface prepared and shaded, and the strokes on it.
  *
- * The actor stays in the renderer and keeps its matrix, so that it can be moved and picked as
- * before; only its mapper and property are exchanged, until this object is destroyed.
+ * The actor stays in the renderer and keeps its matrix, so that it can be moved as before; only its
+ * mapper, property and texture are exchanged, until this object is destroyed.
  */
 class ActorIllustration
 {
@@ -53,25 +44,24 @@ public:
   /// Whether the actor shows a surface that can be illustrated.
   static bool Accepts(vtkActor* actor);
 
-  ActorIllustration(
-    vtkActor* actor, vtkRenderer* renderer, const StyleDocument& style, const PageScale& scale);
+  /// Prepares the surface, which may take long; progress is called with fractions.
+  ActorIllustration(vtkActor* actor, vtkRenderer* renderer, const StyleDocument& style,
+    const PageScale& scale, std::function<void(double)> progress);
   ~ActorIllustration();
   ActorIllustration(const ActorIllustration&) = delete;
   void operator=(const ActorIllustration&) = delete;
 
   SurfacePipeline& GetPipeline() { return this->Pipeline; }
+  vtkActor* GetActor() { return this->Actor; }
 
-  /// Widths in pixels and the fineness of splines follow the window and the camera.
-  void SetScale(const PageScale& scale);
+  /// Before each frame: what the user has done to the actor, its mapper, the camera or the window.
+  void Follow(const PageScale& scale);
 
   /// @name The length scale that thresholds refer to, in the world
   ///@{
   double GetWorldLengthScale() { return this->Pipeline.GetLengthScale() * this->MatrixScale; }
   void SetWorldLengthScale(double scale);
   ///@}
-
-  /// Whether the actor is still the one that this object has changed.
-  bool IsCurrent() const;
 
 private:
   struct Strokes
@@ -84,16 +74,21 @@ private:
     double MinimumLengthInUnits = 0.0;
   };
 
-  /// A textured surface is shown as it is in the file, another one prepared and refined.
-  void ShadeSurface(const StyleDocument& style, vtkPolyData* textured);
-  void AddStrokes(const LineStyle& line, vtkMatrix4x4* matrix);
+  void Connect();
+  void ShadeSurface(const StyleDocument& style);
+  void AddStrokes(const LineStyle& line, int index);
+  void SetScale(const PageScale& scale);
 
   vtkSmartPointer<vtkActor> Actor;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkMapper> OriginalMapper;
   vtkSmartPointer<vtkProperty> OriginalProperty;
-  vtkSmartPointer<vtkMapper> SurfaceMapper;
-  vtkSmartPointer<vtkAlgorithm> Source; // only where the mapper does not show a vtkPolyData
+  vtkSmartPointer<vtkTexture> OriginalTexture;
+  vtkSmartPointer<vtkPolyDataMapper> SurfaceMapper;
+  vtkSmartPointer<vtkAlgorithm> Source;             // the surface of what is no vtkPolyData
+  vtkSmartPointer<vtkPolyDataNormals> ShownNormals; // of a textured surface that has none
+  vtkSmartPointer<vtkAlgorithmOutput> Input;        // what the user's mapper shows
+  bool IsTextured = false;                          // and so shown as it is, not refined
   SurfacePipeline Pipeline;
   std::vector<Strokes> AllStrokes;
   double MatrixScale = 1.0;

@@ -90,6 +90,17 @@ public:
     }
   }
 
+  void Read(const std::string& key, int& value, int low, int high)
+  {
+    double number = value;
+    this->Read(key, number, double(low), double(high));
+    if (number != std::floor(number))
+    {
+      this->Fail(key, "must be a whole number");
+    }
+    value = static_cast<int>(number);
+  }
+
   void Read(const std::string& key, Color& value)
   {
     if (const Json* json = this->Find(key))
@@ -190,15 +201,22 @@ private:
 
   std::vector<double> ToNumbers(const std::string& key, const Json& json) const
   {
-    const Json list = json.is_array() ? json : Json::array({ json });
     std::vector<double> numbers;
-    for (const Json& item : list)
+    const auto add = [&](const Json& item)
     {
       if (!item.is_number() && !item.is_boolean())
       {
         this->Fail(key, "must be a number, true or false, a colour, or a list of numbers");
       }
       numbers.push_back(item.is_boolean() ? double(item.get<bool>()) : item.get<double>());
+    };
+    if (json.is_array())
+    {
+      std::for_each(json.begin(), json.end(), add);
+    }
+    else
+    {
+      add(json);
     }
     return numbers;
   }
@@ -274,9 +292,7 @@ LineStyle ReadLine(Section section)
   {
     section.Fail("spline", "must be \"catmull-rom\", \"b-spline\" or \"none\"");
   }
-  double smoothing = line.Smoothing;
-  section.Read("smoothing", smoothing, 0.0, 1000.0);
-  line.Smoothing = static_cast<int>(smoothing);
+  section.Read("smoothing", line.Smoothing, 0, 1000);
   section.Read("taper", line.Taper);
   section.Read("fade", line.Fade);
   section.Read("minimum_length", line.MinimumLength, 0.0, 1000.0);
@@ -310,6 +326,10 @@ StyleDocument ParseStyle(const std::string& json)
   catch (const Json::parse_error& error)
   {
     throw StyleError("not valid JSON at " + PlaceOf(json, error.byte == 0 ? 0 : error.byte - 1));
+  }
+  catch (const Json::exception& error)
+  {
+    throw StyleError(std::string("not valid JSON: ") + error.what());
   }
 
   StyleDocument style;

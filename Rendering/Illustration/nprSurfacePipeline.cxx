@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprSurfacePipeline.h"
 
-#include "nprArrayNames.h"
+#include "nprLengthScale.h"
 #include "nprStyleDocument.h"
 #include "vtkNPRCurvatureDerivatives.h"
 #include "vtkNPRCurvatureTensor.h"
@@ -14,8 +14,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkMath.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -67,7 +65,14 @@ SurfacePipeline::SurfacePipeline()
   this->Watch(this->Lines, "lines");
 }
 
-SurfacePipeline::~SurfacePipeline() = default;
+SurfacePipeline::~SurfacePipeline()
+{
+  // Who keeps the mapper of the surface keeps the filters.
+  for (const auto& [filter, tag] : this->Observers)
+  {
+    filter->RemoveObserver(tag);
+  }
+}
 
 //------------------------------------------------------------------------------
 void SurfacePipeline::SetInputConnection(vtkAlgorithmOutput* surface)
@@ -106,15 +111,26 @@ vtkAlgorithmOutput* SurfacePipeline::GetSurfacePort()
 //------------------------------------------------------------------------------
 double SurfacePipeline::GetLengthScale()
 {
-  vtkDataArray* scale =
-    this->Preparation->GetOutput()->GetFieldData()->GetArray(names::LengthScale);
-  return scale ? scale->GetComponent(0, 0) : 0.0;
+  return npr::GetLengthScale(this->Preparation->GetOutput());
+}
+
+//------------------------------------------------------------------------------
+void SurfacePipeline::SkipCurvature()
+{
+  this->Refinement->SetInputConnection(this->Normals->GetOutputPort());
 }
 
 //------------------------------------------------------------------------------
 void SurfacePipeline::Update()
 {
-  this->Derivatives->Update();
+  if (this->Refinement->GetInputAlgorithm() == this->Tensor.Get())
+  {
+    this->Derivatives->Update();
+  }
+  else
+  {
+    this->Refinement->Update();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -128,9 +144,11 @@ double SurfacePipeline::GetSeconds(const std::string& stage) const
 void SurfacePipeline::Watch(vtkAlgorithm* filter, const std::string& stage)
 {
   this->Stages[filter] = stage;
-  filter->AddObserver(vtkCommand::StartEvent, this, &SurfacePipeline::OnStart);
-  filter->AddObserver(vtkCommand::EndEvent, this, &SurfacePipeline::OnEnd);
-  filter->AddObserver(vtkCommand::ProgressEvent, this, &SurfacePipeline::OnProgress);
+  const auto observe = [&](unsigned long event, auto method)
+  { this->Observers.emplace_back(filter, filter->AddObserver(event, this, method)); };
+  observe(vtkCommand::StartEvent, &SurfacePipeline::OnStart);
+  observe(vtkCommand::EndEvent, &SurfacePipeline::OnEnd);
+  observe(vtkCommand::ProgressEvent, &SurfacePipeline::OnProgress);
 }
 
 //------------------------------------------------------------------------------

@@ -3,12 +3,15 @@
 #ifndef nprSurfacePipeline_h
 #define nprSurfacePipeline_h
 
-#include "vtkNPRRenderingIllustrationModule.h"
 #include <vtkNew.h>
+
+#include <vtkSmartPointer.h>
 
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
@@ -35,7 +38,7 @@ struct GeometryStyle;
  * The curvature is taken from the mesh as it is; refinement then carries it to a finer, smooth
  * mesh, so that coarse models get smooth outlines, too.
  */
-class VTKNPRRENDERINGILLUSTRATION_EXPORT SurfacePipeline
+class SurfacePipeline
 {
 public:
   SurfacePipeline();
@@ -60,6 +63,9 @@ public:
 
   /// Of the prepared surface; 0 when it has no area.
   double GetLengthScale();
+
+  /// Where no lines are wanted, neither are curvatures.
+  void SkipCurvature();
 
   /// Run everything that does not depend on the view.
   void Update();
@@ -86,6 +92,7 @@ private:
 
   std::function<void(double)> Progress;
   std::map<vtkObject*, std::string> Stages;
+  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observers;
   std::map<std::string, double> Seconds;
   double StartTime = 0.0;
   bool Faceted = false;

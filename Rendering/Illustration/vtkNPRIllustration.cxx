@@ -3,6 +3,8 @@
 #include "vtkNPRIllustration.h"
 
 #include "nprActorIllustration.h"
+#include "nprArrayNames.h"
+#include "nprPageScale.h"
 #include "nprStyleDocument.h"
 #include "nprStyleObjects.h"
 #include "vtkNPRFeatureLines.h"
@@ -11,13 +13,18 @@
 #include "vtkNPRShadingStyle.h"
 
 #include <vtkActor.h>
-#include <vtkActorCollection.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCommand.h>
+#include <vtkFieldData.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderer.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
 
 #include <algorithm>
 #include <vector>
@@ -35,6 +42,8 @@ public:
       AutomaticLights(renderer->GetAutomaticLightCreation()),
       Gradient(renderer->GetGradientBackground())
   {
+    // Strokes are not drawn with it.
+    renderer->UseDepthPeelingOff();
     renderer->GetBackground(this->Background);
     renderer->GetBackground2(this->Background2);
     vtkLightCollection* lights = renderer->GetLights();
@@ -66,6 +75,7 @@ public:
   ~RendererIllustration()
   {
     this->Renderer->SetPass(this->Pass);
+    this->Renderer->SetUseDepthPeeling(this->DepthPeeling);
     this->Renderer->SetBackground(this->Background);
     this->Renderer->SetBackground2(this->Background2);
     this->Renderer->SetGradientBackground(this->Gradient);
@@ -101,6 +111,7 @@ private:
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   vtkTypeBool AutomaticLights;
   bool Gradient;
+  vtkTypeBool DepthPeeling;
   double Background[3];
   double Background2[3];
 };
@@ -112,9 +123,11 @@ class vtkNPRIllustration::Internals
 public:
   explicit Internals(vtkNPRIllustration* self) : Self(self) {}
 
+  bool IsOn() const { return this->OnRenderer != nullptr; }
+
   void Clear()
   {
-    if (this->OnRenderer && this->Renderer)
+    if (this->Renderer)
     {
       this->Renderer->RemoveObserver(this->StartObserver);
     }
@@ -127,31 +140,60 @@ public:
   {
     this->Renderer = renderer;
     this->OnRenderer = std::make_unique<RendererIllustration>(renderer, style);
-    const npr::PageScale scale = npr::PageScale::Of(renderer);
 
+    // Only what stands in the renderer itself: the parts of an assembly have its matrix, too.
     std::vector<vtkActor*> actors;
-    vtkActorCollection* collection = renderer->GetActors();
+    vtkPropCollection* props = renderer->GetViewProps();
     vtkCollectionSimpleIterator cookie;
-    collection->InitTraversal(cookie);
-    while (vtkActor* actor = collection->GetNextActor(cookie))
+    props->InitTraversal(cookie);
+    while (vtkProp* prop = props->GetNextProp(cookie))
     {
-      if (npr::ActorIllustration::Accepts(actor))
+      vtkActor* actor = vtkActor::SafeDownCast(prop);
+      if (actor && npr::ActorIllustration::Accepts(actor))
       {
         actors.push_back(actor);
       }
     }
+    const npr::PageScale scale = npr::PageScale::Of(renderer);
     for (std::size_t i = 0; i < actors.size(); ++i)
     {
+      const auto progress = [&, i](double fraction)
+      {
+        double whole = (static_cast<double>(i) + fraction) / static_cast<double>(actors.size());
+        this->Self->InvokeEvent(vtkCommand::ProgressEvent, &whole);
+      };
       this->Actors.push_back(
-        std::make_unique<npr::ActorIllustration>(actors[i], renderer, style, scale));
-      npr::SurfacePipeline& pipeline = this->Actors.back()->GetPipeline();
-      pipeline.SetProgress(
-        [this](double fraction) { this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction); });
-      pipeline.Update();
+        std::make_unique<npr::ActorIllustration>(actors[i], renderer, style, scale, progress));
+      this->Actors.back()->GetPipeline().SetProgress(nullptr);
     }
     this->ShareLengthScale();
     this->StartObserver = renderer->AddObserver(
       vtkCommand::StartEvent, this, &vtkNPRIllustration::Internals::OnStartOfRender);
+  }
+
+  void GetLines(vtkPolyData* lines)
+  {
+    lines->Initialize();
+    vtkNew<vtkAppendPolyData> append;
+    vtkSmartPointer<vtkFieldData> names;
+    for (const auto& actor : this->Actors)
+    {
+      actor->Follow(npr::PageScale::Of(this->Renderer));
+      vtkNew<vtkTransform> transform;
+      transform->SetMatrix(actor->GetActor()->GetMatrix());
+      vtkNew<vtkTransformPolyDataFilter> toWorld;
+      toWorld->SetTransform(transform);
+      toWorld->SetInputConnection(actor->GetPipeline().GetFeatureLines()->GetOutputPort());
+      toWorld->Update();
+      append->AddInputData(toWorld->GetOutput());
+      names = toWorld->GetOutput()->GetFieldData();
+    }
+    if (names)
+    {
+      append->Update();
+      lines->ShallowCopy(append->GetOutput());
+      lines->GetFieldData()->AddArray(names->GetAbstractArray(npr::names::LineTypeNames));
+    }
   }
 
   double GetSeconds(const std::string& stage) const
@@ -184,8 +226,9 @@ private:
     const npr::PageScale scale = npr::PageScale::Of(this->Renderer);
     for (const auto& actor : this->Actors)
     {
-      actor->SetScale(scale);
+      actor->Follow(scale);
     }
+    this->ShareLengthScale();
   }
 
   vtkNPRIllustration* Self;
@@ -250,7 +293,20 @@ bool vtkNPRIllustration::Apply()
     return false;
   }
   this->Internal->Clear();
-  this->Internal->Apply(this->Renderer, this->Style->GetDocument());
+  this->Internal->Apply(this->Renderer, *this->Style->Document);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustration::GetLines(vtkPolyData* lines)
+{
+  if (!this->Internal->IsOn() || !lines)
+  {
+    vtkErrorMacro(
+      "there are no lines before Apply(), and none without a vtkPolyData to put them in");
+    return false;
+  }
+  this->Internal->GetLines(lines);
   return true;
 }
 

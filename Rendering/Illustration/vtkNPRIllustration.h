@@ -7,7 +7,8 @@
  * Give it a renderer with actors and a style; Apply() prepares the actors' surfaces, puts the
  * style's shading, lights and paper on the renderer, and adds one actor of strokes for each kind
  * of line and actor. From then on Render() alone keeps everything current: lines follow the
- * camera, the actors' matrices and their data.
+ * camera, the actors' matrices, their visibility and their data. Which details are drawn, and how
+ * finely a coarse mesh is refined, is settled by Apply() for the view as it is then.
  *
  * @code
  * vtkNew<vtkNPRIllustrationStyle> style;
@@ -22,7 +23,8 @@
  * Actors are shown through a mapper of ours while the illustration is on; Remove() gives back their
  * own mappers and properties and the renderer's pass, lights and background. An actor that is added
  * later is illustrated by the next Apply(). Actors with wireframe or point representation, without
- * surface, and other props are left as they are.
+ * surface, parts of assemblies and other props are left as they are; of an illustrated actor only
+ * the surface is shown. Depth peeling is off meanwhile.
  *
  * Invokes vtkCommand::ProgressEvent with the progress of its filters.
  *
@@ -39,6 +41,7 @@
 #include <string> // for names of stages
 
 class vtkNPRIllustrationStyle;
+class vtkPolyData;
 class vtkRenderer;
 
 class VTKNPRRENDERINGILLUSTRATION_EXPORT vtkNPRIllustration : public vtkObject
@@ -69,6 +72,11 @@ public:
 
   /// Give back the renderer and its actors as they were.
   void Remove();
+
+  /// The lines of all actors for the camera as it stands, as chained polylines in the world, before
+  /// the style's minimum length and splines; see vtkNPRFeatureLines for their arrays. Returns
+  /// false, with an error, before Apply().
+  bool GetLines(vtkPolyData* lines);
 
   /// Seconds spent so far in "prepare", "curvature" or "lines", by the filters of the
   /// illustration that is on the renderer; 0 for other names.

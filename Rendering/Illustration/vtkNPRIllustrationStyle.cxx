@@ -148,6 +148,7 @@ bool vtkNPRIllustrationStyle::SelectLines(const std::vector<std::string>& types)
     return this->Fail(error.what());
   }
   this->Document->Lines = std::move(selected);
+  this->ErrorMessage.clear();
   this->Modified();
   return true;
 }
@@ -163,6 +164,7 @@ bool vtkNPRIllustrationStyle::SetBackground(const std::string& color)
   {
     return this->Fail(std::string("unknown colour ") + error.what());
   }
+  this->ErrorMessage.clear();
   this->Modified();
   return true;
 }

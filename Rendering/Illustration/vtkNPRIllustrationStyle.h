@@ -54,7 +54,7 @@ public:
   bool LoadString(const std::string& json);
   ///@}
 
-  /// A built-in name, or else the path of a style file.
+  /// A built-in name, or else the path of a style file, which has a dot or a slash in it.
   bool Load(const std::string& nameOrFile);
 
   /// Draw only these kinds of lines. Kinds that the style has keep their look; others get the look
@@ -70,13 +70,6 @@ public:
   /// What was wrong at the last failure, as one line; empty if nothing was.
   vtkGetMacro(ErrorMessage, std::string);
 
-#ifndef __VTK_WRAP__
-  const npr::StyleDocument& GetDocument() const
-  {
-    return *this->Document;
-  }
-#endif
-
 protected:
   vtkNPRIllustrationStyle();
   ~vtkNPRIllustrationStyle() override;
@@ -85,6 +78,7 @@ private:
   vtkNPRIllustrationStyle(const vtkNPRIllustrationStyle&) = delete;
   void operator=(const vtkNPRIllustrationStyle&) = delete;
 
+  friend class vtkNPRIllustration; // which makes what the document says
   bool Fail(const std::string& message);
   bool LoadDocument(const std::string& json, const std::string& origin);
 

@@ -3,13 +3,13 @@
 #include "vtkNPRViewpoint.h"
 
 #include <vtkActor.h>
-#include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkMapper.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointSet.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
@@ -154,6 +154,11 @@ bool vtkNPRViewpoint::SetViewByName(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkNPRViewpoint::Apply(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    vtkErrorMacro("there is no renderer to point the camera of");
+    return;
+  }
   const double azimuth = vtkMath::RadiansFromDegrees(this->Azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(this->Elevation);
   // With Y up; the other axes follow by turning the model's up axis to Y.
@@ -183,6 +188,11 @@ void vtkNPRViewpoint::Apply(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkNPRViewpoint::Frame(vtkRenderer* renderer)
 {
+  if (!renderer)
+  {
+    vtkErrorMacro("there is no renderer to frame the actors of");
+    return;
+  }
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->OrthogonalizeViewUp();
   const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
@@ -191,12 +201,15 @@ void vtkNPRViewpoint::Frame(vtkRenderer* renderer)
   axes << right.transpose(), back.cross(right).transpose(), back.transpose();
 
   PointList points;
-  vtkActorCollection* actors = renderer->GetActors();
+  vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
   {
-    AddActor(actor, axes, points);
+    if (vtkActor* actor = vtkActor::SafeDownCast(prop))
+    {
+      AddActor(actor, axes, points);
+    }
   }
   if (points.empty())
   {
@@ -216,7 +229,8 @@ void vtkNPRViewpoint::Frame(vtkRenderer* renderer)
     point -= middle;
   }
   const double front = high[2] - middle[2];
-  const double size = std::max((high - low).maxCoeff(), 1e-30);
+  // All points in one place are framed as something small that the coordinates can still tell.
+  const double size = std::max((high - low).maxCoeff(), 1e-6 * (1e-6 + middle.norm()));
 
   const double aspect = renderer->GetTiledAspectRatio();
   const double inner = 1.0 - 2.0 * this->Margin;
@@ -224,13 +238,15 @@ void vtkNPRViewpoint::Frame(vtkRenderer* renderer)
   if (camera->GetParallelProjection())
   {
     const double halfHeight = std::max(0.5 * (high[1] - low[1]), 0.5 * (high[0] - low[0]) / aspect);
-    camera->SetParallelScale(std::max(halfHeight, 1e-30) / inner);
+    camera->SetParallelScale(std::max(halfHeight, 1e-3 * size) / inner);
   }
   else
   {
-    const double slopeY =
+    const double slope =
       inner * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-    const double slopeX = slopeY * aspect;
+    const bool isHorizontal = camera->GetUseHorizontalViewAngle();
+    const double slopeX = isHorizontal ? slope : slope * aspect;
+    const double slopeY = isHorizontal ? slope / aspect : slope;
     const Wedge x(points, 0, slopeX);
     const Wedge y(points, 1, slopeY);
     const double eye =

@@ -112,8 +112,8 @@ class TestBadInput(CommandTest):
                 self.refuse(words, USAGE)
 
     def test_bad_lines_and_background(self):
-        self.refuse(self.render("--lines", "wrinkles"), INPUT, "wrinkles", "contours")
-        self.refuse(self.render("--background", "#12"), INPUT, "#12")
+        self.refuse(self.render("--lines", "wrinkles"), USAGE, "wrinkles", "contours")
+        self.refuse(self.render("--background", "#12"), USAGE, "#12")
 
     def test_unknown_backend(self):
         result = run(*self.render(), environment={"NPR_OFFSCREEN": "abacus"})

@@ -95,6 +95,12 @@ int TestLineSelection(int, char*[])
   vtkNew<vtkPolyData> empty;
   good = CheckSelection(empty, "contours", 0.0, {}) && good;
 
+  vtkNew<vtkNPRLineSelection> byIndex;
+  byIndex->SetInputData(lines);
+  byIndex->SetLineIndex(0);
+  byIndex->Update();
+  good = byIndex->GetOutput()->GetNumberOfLines() == 2 && good;
+
   vtkObject::GlobalWarningDisplayOff();
   lines->GetFieldData()->Initialize();
   return CheckSelection(lines, "contours", 0.0, {}) && good ? EXIT_SUCCESS : EXIT_FAILURE;

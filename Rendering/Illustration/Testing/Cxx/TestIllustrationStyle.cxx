@@ -60,6 +60,8 @@ int TestIllustrationStyle(int, char*[])
   CheckRefused("", "line 1, column 1");
   CheckRefused("{\n\"name\": 1,\n]", "line 3, column 1");
   CheckRefused("[]", "object");
+  CheckRefused(R"({"lines": [{"type": "contours", "width": 1e999}]})", "JSON");
+  CheckRefused(R"({"lines": [{"type": "contours", "smoothing": 2.5}]})", "/lines/0/smoothing");
   CheckRefused(R"({"name": 3})", "/name");
   CheckRefused(R"({"nmae": "x"})", "/nmae");
   CheckRefused(R"({"background": "whyte"})", "/background");
