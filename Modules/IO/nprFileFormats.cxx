@@ -24,27 +24,30 @@ namespace npr
 {
 const std::vector<FileFormat>& GetFileFormats()
 {
+  // CAD programs and medical images have Z up; most scans and scenes have Y up.
+  constexpr int Y = 1;
+  constexpr int Z = 2;
   static const std::vector<FileFormat> formats = {
-    { ".obj", "Wavefront OBJ mesh, with its MTL materials and textures", false, ReadOBJ },
-    { ".ply", "Stanford PLY mesh, with point colours", false, ReadPLY },
-    { ".ply.gz", "Stanford PLY mesh compressed by gzip", false, ReadPLY },
-    { ".stl", "STL mesh", false, ReadSTL },
-    { ".gltf", "glTF 2.0 scene", false, ReadGLTF },
-    { ".glb", "glTF 2.0 scene, binary", false, ReadGLTF },
-    { ".vtp", "VTK surface", false, ReadVTP },
-    { ".vtu", "VTK unstructured grid, its outside", false, ReadXMLDataSet },
-    { ".vts", "VTK structured grid, its outside", false, ReadXMLDataSet },
-    { ".vtr", "VTK rectilinear grid, its outside", false, ReadXMLDataSet },
-    { ".vtk", "VTK legacy file: a surface, the outside of a grid, or a volume", true,
+    { ".obj", "Wavefront OBJ mesh, with its MTL materials and textures", false, Y, ReadOBJ },
+    { ".ply", "Stanford PLY mesh, with point colours", false, Y, ReadPLY },
+    { ".ply.gz", "Stanford PLY mesh compressed by gzip", false, Y, ReadPLY },
+    { ".stl", "STL mesh", false, Z, ReadSTL },
+    { ".gltf", "glTF 2.0 scene", false, Y, ReadGLTF },
+    { ".glb", "glTF 2.0 scene, binary", false, Y, ReadGLTF },
+    { ".vtp", "VTK surface", false, Y, ReadVTP },
+    { ".vtu", "VTK unstructured grid, its outside", false, Y, ReadXMLDataSet },
+    { ".vts", "VTK structured grid, its outside", false, Y, ReadXMLDataSet },
+    { ".vtr", "VTK rectilinear grid, its outside", false, Y, ReadXMLDataSet },
+    { ".vtk", "VTK legacy file: a surface, the outside of a grid, or a volume", true, Y,
       ReadLegacyVTK },
-    { ".vti", "VTK volume", true, ReadVTI },
-    { ".nii", "NIfTI volume", true, ReadNIFTI },
-    { ".nii.gz", "NIfTI volume compressed by gzip", true, ReadNIFTI },
-    { ".nrrd", "NRRD volume", true, ReadNRRD },
-    { ".nhdr", "NRRD volume, detached header", true, ReadNRRD },
-    { ".mha", "MetaImage volume", true, ReadMetaImage },
-    { ".mhd", "MetaImage volume, detached header", true, ReadMetaImage },
-    { ".vdb", "OpenVDB volume", true, ReadVDB },
+    { ".vti", "VTK volume", true, Y, ReadVTI },
+    { ".nii", "NIfTI volume", true, Z, ReadNIFTI },
+    { ".nii.gz", "NIfTI volume compressed by gzip", true, Z, ReadNIFTI },
+    { ".nrrd", "NRRD volume", true, Z, ReadNRRD },
+    { ".nhdr", "NRRD volume, detached header", true, Z, ReadNRRD },
+    { ".mha", "MetaImage volume", true, Z, ReadMetaImage },
+    { ".mhd", "MetaImage volume, detached header", true, Z, ReadMetaImage },
+    { ".vdb", "OpenVDB volume", true, Y, ReadVDB },
   };
   return formats;
 }

@@ -68,6 +68,7 @@ struct FileFormat
   const char* Extension; // in lower case with its dot
   const char* Description;
   bool IsVolume; // takes an iso value
+  int UpAxis;    // which axis points up by the custom of those who write it: 0, 1 or 2
   void (*Read)(ModelFile&);
 };
 

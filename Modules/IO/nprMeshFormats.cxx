@@ -25,6 +25,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -34,6 +35,20 @@ namespace npr
 {
 namespace
 {
+std::string Lower(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// Some programs write it in capitals, or after blanks.
+bool StartsWithSolid(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && Lower(text.substr(first, 5)) == "solid";
+}
+
 // VTK's STL reader takes what there is of a file that ends too early, and says nothing.
 void CheckSTL(const std::string& path)
 {
@@ -45,14 +60,13 @@ void CheckSTL(const std::string& path)
   const auto byte = [&](int i) { return std::uint64_t(static_cast<unsigned char>(start[i])); };
   const std::uint64_t triangles = byte(80) | byte(81) << 8 | byte(82) << 16 | byte(83) << 24;
   const std::uint64_t expected = 84 + 50 * triangles;
-  const std::string text(start, read);
-  if (text.compare(0, 5, "solid") == 0 && size != expected)
+  if (StartsWithSolid(std::string(start, read)) && size != expected)
   {
     stream.clear();
     stream.seekg(static_cast<std::streamoff>(size > 512 ? size - 512 : 0));
     std::string end(512, '\0');
     stream.read(end.data(), 512);
-    if (end.find("endsolid") == std::string::npos)
+    if (Lower(end).find("endsolid") == std::string::npos)
     {
       throw ModelError("it ends before 'endsolid'; copy or export it again");
     }

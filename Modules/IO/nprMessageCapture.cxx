@@ -8,12 +8,14 @@
 #include <vtkObjectFactory.h>
 
 #include <iostream>
+#include <mutex>
 #include <regex>
 
 namespace npr
 {
 namespace
 {
+// Readers that work in several threads complain from each of them.
 class CapturingWindow : public vtkOutputWindow
 {
 public:
@@ -22,10 +24,26 @@ public:
 
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
-  void DisplayErrorText(const char* text) override { this->Errors.emplace_back(text); }
-  void DisplayWarningText(const char* text) override { this->Warnings.emplace_back(text); }
-  void DisplayGenericWarningText(const char* text) override { this->Warnings.emplace_back(text); }
+  void DisplayErrorText(const char* text) override { this->Add(this->Errors, text); }
+  void DisplayWarningText(const char* text) override { this->Add(this->Warnings, text); }
+  void DisplayGenericWarningText(const char* text) override { this->Add(this->Warnings, text); }
 
+  std::vector<std::string> GetErrors() { return this->Copy(this->Errors); }
+  std::vector<std::string> GetWarnings() { return this->Copy(this->Warnings); }
+
+private:
+  void Add(std::vector<std::string>& texts, const char* text)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    texts.emplace_back(text ? text : "");
+  }
+  std::vector<std::string> Copy(const std::vector<std::string>& texts)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return texts;
+  }
+
+  std::mutex Mutex;
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
 };
@@ -80,12 +98,12 @@ MessageCapture::~MessageCapture()
 
 std::vector<std::string> MessageCapture::GetErrors() const
 {
-  return OneLineEach(static_cast<CapturingWindow*>(this->Window.Get())->Errors);
+  return OneLineEach(static_cast<CapturingWindow*>(this->Window.Get())->GetErrors());
 }
 
 std::vector<std::string> MessageCapture::GetWarnings() const
 {
-  return OneLineEach(static_cast<CapturingWindow*>(this->Window.Get())->Warnings);
+  return OneLineEach(static_cast<CapturingWindow*>(this->Window.Get())->GetWarnings());
 }
 
 std::string MessageCapture::GetConsoleText() const

@@ -151,7 +151,8 @@ public:
 private:
   void ParseFace(Words& words, std::size_t line);
   Corner ParseCorner(std::string_view word, std::size_t line) const;
-  void ParseMaterials(const std::string& name);
+  void ParseLibraries(Words& words);
+  void ParseMaterials(const std::filesystem::path& path);
   void AddPart(const Group& group, const Material* material);
 
   ModelFile& File;
@@ -160,6 +161,7 @@ private:
   std::vector<std::array<float, 2>> TextureCoordinates;
   std::vector<std::array<float, 3>> Normals;
   std::map<std::string, Material> Materials;
+  bool HasLibrary = false; // one that could be read
   std::map<std::string, Group> Groups;
   Group* Current = nullptr;
   std::vector<vtkIdType> Face;
@@ -203,7 +205,7 @@ void OBJParser::Parse()
       }
       else if (keyword == "mtllib")
       {
-        this->ParseMaterials(std::string(words.All()));
+        this->ParseLibraries(words);
       }
     });
   for (const auto& [name, group] : this->Groups)
@@ -211,6 +213,11 @@ void OBJParser::Parse()
     if (group.Polygons->GetNumberOfCells() > 0)
     {
       const auto material = this->Materials.find(name);
+      if (material == this->Materials.end() && this->HasLibrary && !name.empty())
+      {
+        this->File.Warnings.push_back("The material '" + Printable(name) +
+          "' is in none of its libraries; the surface gets a plain colour.");
+      }
       this->AddPart(group, material == this->Materials.end() ? nullptr : &material->second);
     }
   }
@@ -276,16 +283,42 @@ void OBJParser::ParseFace(Words& words, std::size_t line)
   }
 }
 
-void OBJParser::ParseMaterials(const std::string& name)
+// One file whose name may have spaces, or several without.
+void OBJParser::ParseLibraries(Words& words)
 {
-  const std::filesystem::path path = this->Folder / name;
+  std::vector<std::filesystem::path> paths = { this->Folder / std::string(words.All()) };
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
+  if (!std::filesystem::is_regular_file(paths.front(), ignored))
   {
-    this->File.Warnings.push_back(
-      "The materials '" + path.string() + "' are missing; the surface gets a plain colour.");
-    return;
+    paths.clear();
+    for (std::string_view name = words.Next(); !name.empty(); name = words.Next())
+    {
+      paths.push_back(this->Folder / std::string(name));
+    }
   }
+  for (const std::filesystem::path& path : paths)
+  {
+    if (!std::filesystem::is_regular_file(path, ignored))
+    {
+      this->File.Warnings.push_back("The materials '" + Printable(path.string()) +
+        "' are missing; the surface gets a plain colour.");
+      continue;
+    }
+    try
+    {
+      this->ParseMaterials(path);
+      this->HasLibrary = true;
+    }
+    catch (const ModelError& error) // the surface is good without them
+    {
+      this->File.Warnings.push_back(
+        "The materials '" + Printable(path.string()) + "' are not used: " + error.what() + ".");
+    }
+  }
+}
+
+void OBJParser::ParseMaterials(const std::filesystem::path& path)
+{
   Material unnamed;
   Material* material = &unnamed;
   ForEachLine(ReadBytes(path.string()),

@@ -313,6 +313,12 @@ int vtkNPRModelImporter::GetNumberOfParts() const
   return static_cast<int>(this->Internal->Parts.size());
 }
 
+int vtkNPRModelImporter::GetUpAxis() const
+{
+  const npr::FileFormat* format = this->FileName ? npr::FindFileFormat(this->FileName) : nullptr;
+  return format ? format->UpAxis : 1;
+}
+
 const char* vtkNPRModelImporter::GetErrorMessage() const
 {
   return this->Internal->ErrorMessage.c_str();
@@ -343,6 +349,11 @@ const char* vtkNPRModelImporter::GetFormatDescription(int format)
 bool vtkNPRModelImporter::GetFormatIsVolume(int format)
 {
   return format >= 0 && format < GetNumberOfFormats() && npr::GetFileFormats()[format].IsVolume;
+}
+
+int vtkNPRModelImporter::GetFormatUpAxis(int format)
+{
+  return format >= 0 && format < GetNumberOfFormats() ? npr::GetFileFormats()[format].UpAxis : -1;
 }
 
 bool vtkNPRModelImporter::IsFileNameKnown(const char* fileName)

@@ -108,6 +108,11 @@ public:
   /// How many parts the last Read() found; 0 if it failed.
   int GetNumberOfParts() const;
 
+  /// Which axis points up in files of this name's kind, by the custom of those who write them: 0, 1
+  /// or 2. It is 2 for STL and for the pictures of medicine (NIfTI, NRRD, MetaImage), 1 for all
+  /// others and for a name that is not known. Nothing is read for it.
+  int GetUpAxis() const;
+
   /// Why the last Read() failed, in one line; empty if it did not.
   const char* GetErrorMessage() const;
 
@@ -122,6 +127,8 @@ public:
   static const char* GetFormatDescription(int format);
   /// Whether the format may be a volume, and so take an iso value.
   static bool GetFormatIsVolume(int format);
+  /// As GetUpAxis(); -1 if there is no such format.
+  static int GetFormatUpAxis(int format);
   /// Whether a file of this name would be read.
   static bool IsFileNameKnown(const char* fileName);
   ///@}

@@ -12,6 +12,8 @@
 #include <vtkMapper.h>
 #include <vtkTexture.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 
@@ -158,6 +160,89 @@ void TestOBJ(const std::string& base)
   surface->GetBounds(bounds);
   Expect(bounds[1] == 1.0 && bounds[3] == 1.0 && bounds[5] == 2.0, "the odd OBJ has its bounds");
 }
+
+// Libraries of materials: several in one line, and ones that can not be used, which the surface
+// survives.
+void TestLibraries(const std::string& base)
+{
+  const std::string start = "v 0 0 0\nv 1 0 0\nv 1 1 0\nmtllib ";
+  const std::string end = "\nusemtl green\nf 1 2 3\n";
+  model_files::WriteText(base + "First.mtl", "newmtl red\nKd 1 0 0\n");
+  model_files::WriteText(base + "Second.mtl", "newmtl green\nKd 0 1 0\n");
+  model_files::WriteText(base + "With space.mtl", "newmtl green\nKd 0 1 0\n");
+  const std::string name = base.substr(base.rfind('/') + 1);
+  for (const std::string& libraries :
+    { name + "First.mtl " + name + "Second.mtl", name + "With space.mtl" })
+  {
+    model_files::WriteText(base + "Libraries.obj", start + libraries + end);
+    vtkNew<vtkNPRModelImporter> importer;
+    importer->SetFileName((base + "Libraries.obj").c_str());
+    vtkNew<vtkRenderer> renderer;
+    Expect(importer->ImportInto(renderer) && std::strlen(importer->GetWarnings()) == 0 &&
+        OnlyActor(renderer)->GetProperty()->GetDiffuseColor()[1] == 1.0 &&
+        OnlyActor(renderer)->GetProperty()->GetDiffuseColor()[0] == 0.0,
+      "the material of 'mtllib " + libraries + "' is green: " + importer->GetWarnings());
+  }
+  model_files::WriteGzip(base + "Cut.mtl", std::string(1000, 'x') + "newmtl green\n");
+  const std::string bytes = model_files::ReadText(base + "Cut.mtl");
+  model_files::WriteText(base + "Cut.mtl", bytes.substr(0, bytes.size() / 2));
+  model_files::WriteText(base + "Junk.mtl", std::string("\x01\x80\xff\0junk", 8));
+  for (const char* library : { "Cut.mtl", "Junk.mtl", "None.mtl" })
+  {
+    model_files::WriteText(base + "Libraries.obj", start + name + library + end);
+    vtkNew<vtkNPRModelImporter> importer;
+    importer->SetFileName((base + "Libraries.obj").c_str());
+    Expect(importer->Read() && std::strstr(importer->GetWarnings(), "material"),
+      std::string("a warning tells of ") + library + ": " + importer->GetErrorMessage());
+  }
+}
+
+// What other programs begin an ASCII STL with.
+void TestSTL(const std::string& base)
+{
+  const std::string text =
+    "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+    "vertex 0 1 0\nendloop\nendfacet\nendsolid part\n";
+  std::string capitals = text;
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (const std::string& content :
+    { text, capitals, "S" + text.substr(1), "  " + text, "\n\t" + text })
+  {
+    model_files::WriteText(base + "Solid.stl", content);
+    vtkNew<vtkNPRModelImporter> importer;
+    importer->SetFileName((base + "Solid.stl").c_str());
+    vtkNew<vtkPolyData> surface;
+    Expect(importer->GetSurface(surface) && surface->GetNumberOfPolys() == 1,
+      "an STL that begins with '" + content.substr(0, 8) +
+        "' is read: " + importer->GetErrorMessage());
+    model_files::WriteText(base + "Solid.stl", content.substr(0, content.size() - 20));
+    vtkNew<vtkNPRModelImporter> cut;
+    cut->SetFileName((base + "Solid.stl").c_str());
+    Expect(!cut->Read() && std::strstr(cut->GetErrorMessage(), "endsolid"),
+      "one that begins with '" + content.substr(0, 8) + "' and is cut off is refused");
+  }
+}
+
+void TestUpAxes()
+{
+  vtkNew<vtkNPRModelImporter> importer;
+  Expect(importer->GetUpAxis() == 1, "y is up where there is no file");
+  for (const char* name : { "a.STL", "a.nii", "a.nii.gz", "a.nrrd", "a.nhdr", "a.mha", "a.mhd" })
+  {
+    importer->SetFileName(name);
+    Expect(importer->GetUpAxis() == 2, std::string("z is up in ") + name);
+  }
+  for (const char* name : { "a.obj", "a.ply", "a.glb", "a.vti", "a.vtk", "a.vdb", "a.doc" })
+  {
+    importer->SetFileName(name);
+    Expect(importer->GetUpAxis() == 1, std::string("y is up in ") + name);
+  }
+  Expect(
+    vtkNPRModelImporter::GetFormatUpAxis(-1) == -1 && vtkNPRModelImporter::GetFormatUpAxis(0) == 1,
+    "the table tells which axis is up");
+}
+
 // The axes of a picture point where its header says, here x and z exchanged, which mirrors.
 void TestDirections(const std::string& base)
 {
@@ -219,6 +304,9 @@ int TestModelImporter(int argc, char* argv[])
   TestMaterials(folder + "/Good");
   TestOBJ(folder + "/Good");
   TestDirections(folder + "/Good");
+  TestLibraries(folder + "/Good");
+  TestSTL(folder + "/Good");
+  TestUpAxes();
   Expect(vtkNPRModelImporter::GetNumberOfFormats() >= 19 &&
       vtkNPRModelImporter::IsFileNameKnown("/a/b.PLY.GZ") &&
       !vtkNPRModelImporter::IsFileNameKnown("/a/b.doc") &&
