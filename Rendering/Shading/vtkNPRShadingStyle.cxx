@@ -52,6 +52,14 @@ void vtkNPRShadingStyle::DeclareParameter(Parameter parameter)
 }
 
 //------------------------------------------------------------------------------
+const vtkNPRShadingStyle::Parameter* vtkNPRShadingStyle::FindParameter(int index) const
+{
+  return index >= 0 && static_cast<std::size_t>(index) < this->Parameters.size()
+    ? &this->Parameters[static_cast<std::size_t>(index)]
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 int vtkNPRShadingStyle::GetNumberOfParameters()
 {
   return static_cast<int>(this->Parameters.size());
@@ -60,32 +68,42 @@ int vtkNPRShadingStyle::GetNumberOfParameters()
 //------------------------------------------------------------------------------
 const char* vtkNPRShadingStyle::GetParameterName(int index)
 {
-  return this->Parameters.at(index).Name.c_str();
+  const Parameter* parameter = this->FindParameter(index);
+  return parameter ? parameter->Name.c_str() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 const char* vtkNPRShadingStyle::GetParameterDescription(int index)
 {
-  return this->Parameters.at(index).Description.c_str();
+  const Parameter* parameter = this->FindParameter(index);
+  return parameter ? parameter->Description.c_str() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 int vtkNPRShadingStyle::GetParameterSize(int index)
 {
-  return this->Parameters.at(index).Size;
+  const Parameter* parameter = this->FindParameter(index);
+  return parameter ? parameter->Size : 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkNPRShadingStyle::GetParameterRange(int index, double range[2])
 {
-  std::copy_n(this->Parameters.at(index).Range, 2, range);
+  if (const Parameter* parameter = this->FindParameter(index))
+  {
+    std::copy_n(parameter->Range, 2, range);
+  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkNPRShadingStyle::SetParameter(const char* name, int numberOfValues, const double* values)
 {
+  if (!name || numberOfValues < 0 || (numberOfValues > 0 && !values))
+  {
+    return false;
+  }
   return this->SetParameter(
-    std::string(name ? name : ""), std::vector<double>(values, values + numberOfValues));
+    std::string(name), std::vector<double>(values, values + numberOfValues));
 }
 
 //------------------------------------------------------------------------------
@@ -95,7 +113,8 @@ bool vtkNPRShadingStyle::SetParameter(const std::string& name, const std::vector
   {
     if (parameter.Name == name)
     {
-      const bool fits = (parameter.Size == 0 || values.size() == std::size_t(parameter.Size)) &&
+      const bool fits = (parameter.Size == 0 ? values.size() <= std::size_t(MaximumSize)
+                                             : values.size() == std::size_t(parameter.Size)) &&
         std::all_of(values.begin(), values.end(),
           [&](double value) {
             return std::isfinite(value) && value >= parameter.Range[0] &&

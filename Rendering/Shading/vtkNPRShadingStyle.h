@@ -99,10 +99,11 @@ public:
   /// dialogues, so that these need not know the styles. A colour has three values from 0 to 1, a
   /// switch is 0 or 1.
   ///@{
+  /// An index that does not exist gives nullptr or 0, and leaves the range as it is.
   int GetNumberOfParameters();
   const char* GetParameterName(int index);
   const char* GetParameterDescription(int index);
-  /// How many values the parameter has; 0: any number.
+  /// How many values the parameter has; 0: any number up to MaximumSize.
   int GetParameterSize(int index);
   /// Least and greatest allowed value.
   void GetParameterRange(int index, double range[2]);
@@ -111,6 +112,8 @@ public:
   bool SetParameter(const char* name, int numberOfValues, const double* values)
     VTK_SIZEHINT(values, numberOfValues);
 #ifndef __VTK_WRAP__
+  /// The most values that a parameter of any number takes: what every OpenGL's textures hold.
+  static constexpr int MaximumSize = 4096;
   bool SetParameter(const std::string& name, const std::vector<double>& values);
   /// Empty if there is no such parameter.
   std::vector<double> GetParameter(const std::string& name);
@@ -138,6 +141,10 @@ protected:
 #endif
 
 private:
+#ifndef __VTK_WRAP__
+  const Parameter* FindParameter(int index) const; ///< Null if there is none of that index.
+#endif
+
   vtkNPRShadingStyle(const vtkNPRShadingStyle&) = delete;
   void operator=(const vtkNPRShadingStyle&) = delete;
 

@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkNPRToonStyle);
 
 namespace
 {
-constexpr int MaximumTones = 4096;
+constexpr int MaximumTones = vtkNPRShadingStyle::MaximumSize;
 constexpr double DarkestTone = 0.3;
 
 std::vector<double> EvenTones(int count)

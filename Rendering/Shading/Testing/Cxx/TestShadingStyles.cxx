@@ -61,6 +61,15 @@ int TestShadingStyles(int argc, char* argv[])
         parameter + ": one value too many is taken");
       check(style->GetParameter(parameter) == values, parameter + ": a refused value changed it");
     }
+    for (int bad : { -1, style->GetNumberOfParameters() })
+    {
+      double range[2] = { 7.0, 9.0 };
+      style->GetParameterRange(bad, range);
+      check(!style->GetParameterName(bad) && !style->GetParameterDescription(bad) &&
+          style->GetParameterSize(bad) == 0 && range[0] == 7.0 && range[1] == 9.0,
+        name + ": has a parameter of an index out of range");
+    }
+    check(!style->SetParameter(nullptr, 0, nullptr), name + ": takes a parameter without a name");
     check(!style->SetParameter("no_such_parameter", { 1.0 }), name + ": takes unknown parameters");
   }
   check(names.count("phong") && names.count("toon") && names.count("gooch"), "a style is missing");
@@ -85,6 +94,13 @@ int TestShadingStyles(int argc, char* argv[])
   ramp->InsertNextTuple2(0.0, 1.0);
   toon->SetDiffuseRamp(ramp);
   check(messages->Errors.size() == 1 && !toon->GetDiffuseRamp(), "a two-component ramp is taken");
+  const int most = vtkNPRShadingStyle::MaximumSize;
+  check(toon->SetParameter("diffuse_ramp", std::vector<double>(most, 0.5)) &&
+      toon->GetParameter("diffuse_ramp").size() == static_cast<size_t>(most),
+    "the longest ramp is refused");
+  check(!toon->SetParameter("diffuse_ramp", std::vector<double>(most + 1, 0.25)) &&
+      toon->GetParameter("diffuse_ramp")[0] == 0.5 && messages->Errors.size() == 1,
+    "a ramp that is too long is said to be taken");
   vtkNew<vtkDoubleArray> levels;
   levels->InsertNextValue(0.5);
   toon->SetDiffuseRamp(levels);
