@@ -14,6 +14,7 @@
 #include <vtkCommand.h>
 #include <vtkHardwareSelector.h>
 #include <vtkInformation.h>
+#include <vtkMath.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -28,6 +29,7 @@
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkOpenGLVertexArrayObject.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -38,6 +40,7 @@
 #include <vtkWeakPointer.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace
@@ -302,6 +305,8 @@ void vtkNPRStrokeMapper::SetUniforms(
   vtkMatrix4x4::Multiply4x4(matrix, worldToDevice, matrix);
   program->SetUniformMatrix("nprMCDCMatrix", matrix);
 
+  this->SetClippingUniforms(actor, program);
+
   const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform2f("nprViewportSize", size);
   program->SetUniformf("nprWidth", static_cast<float>(this->Width));
@@ -327,6 +332,29 @@ void vtkNPRStrokeMapper::SetUniforms(
   program->SetUniformf("nprHiddenOpacity", static_cast<float>(this->HiddenOpacity));
 }
 
+void vtkNPRStrokeMapper::SetClippingUniforms(vtkActor* actor, vtkShaderProgram* program)
+{
+  constexpr int maximum = 6; // as many as VTK's own mappers
+  const std::array<double, 3>& origin = this->Resources->Origin;
+  const int wanted = this->ClippingPlanes ? this->ClippingPlanes->GetNumberOfItems() : 0;
+  if (wanted > maximum)
+  {
+    vtkErrorMacro("There are " << wanted << " clipping planes; the first " << maximum
+                               << " are used. Remove the others.");
+  }
+  const int count = std::min(wanted, maximum);
+  float planes[maximum][4] = {};
+  for (int i = 0; i < count; ++i)
+  {
+    double plane[4];
+    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
+    plane[3] += vtkMath::Dot(plane, origin.data());
+    std::copy_n(plane, 4, planes[i]);
+  }
+  program->SetUniformi("nprNumberOfClippingPlanes", count);
+  program->SetUniform4fv("nprClippingPlanes", maximum, planes);
+}
+
 void vtkNPRStrokeMapper::LayInkOver(
   vtkOpenGLRenderWindow* window, vtkActor* actor, bool orderIndependent)
 {
@@ -335,13 +363,15 @@ void vtkNPRStrokeMapper::LayInkOver(
   {
     graphics.Composite.reset(new vtkOpenGLQuadHelper(window, nullptr, vtkNPRStrokeCompositeFS, ""));
   }
-  else
+  else if (graphics.Composite->Program)
   {
     window->GetShaderCache()->ReadyShaderProgram(graphics.Composite->Program);
   }
   vtkShaderProgram* composite = graphics.Composite->Program;
   if (!composite)
   {
+    vtkErrorMacro("The shader that lays strokes over the picture did not compile; OpenGL 3.2 or "
+                  "later is needed.");
     return;
   }
   vtkOpenGLState* state = window->GetState();

@@ -17,6 +17,9 @@
  * it nor break, however thick they are. A surface that is too near to be the stroke's own hides
  * it up to the surface's edge.
  *
+ * The mapper's clipping planes, up to six, cut the axes of strokes; where they do, a stroke ends
+ * with a round cap as at any other end.
+ *
  * Strokes are drawn in the translucent phase, when all opaque surfaces are in the depth buffer, and
  * write no depth: translucent surfaces don't hide them. They have no part in hardware selection.
  * With depth peeling they are not drawn, with a warning; VTK's default order-independent
@@ -151,6 +154,7 @@ private:
   void DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
   void SetUniforms(
     vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
+  void SetClippingUniforms(vtkActor* actor, vtkShaderProgram* program);
   void LayInkOver(vtkOpenGLRenderWindow* window, vtkActor* actor, bool orderIndependent);
 
   class Graphics;

@@ -11,6 +11,8 @@
 uniform samplerBuffer nprRecords;
 
 uniform mat4 nprMCDCMatrix;
+uniform int nprNumberOfClippingPlanes;
+uniform vec4 nprClippingPlanes[6];     // in the coordinates of the records; what is positive stays
 uniform vec2 nprViewportSize;          // pixels
 uniform float nprWidth;                // pixels
 uniform int nprUseWidths;              // whether the points' widths multiply nprWidth
@@ -66,6 +68,11 @@ void main()
   vec4 end = nprMCDCMatrix * vec4(endPlace.xyz, 1.0);
   vec2 reach = 1.0 + 2.0 * nprGuard / nprViewportSize;
   vec2 range = vec2(0.0, 1.0);
+  for (int i = 0; i < nprNumberOfClippingPlanes; ++i)
+  {
+    clip(dot(nprClippingPlanes[i], vec4(startPlace.xyz, 1.0)),
+      dot(nprClippingPlanes[i], vec4(endPlace.xyz, 1.0)), range);
+  }
   clip(start.w + start.z, end.w + end.z, range);
   clip(start.w - start.z, end.w - end.z, range);
   clip(reach.x * start.w + start.x, reach.x * end.w + end.x, range);

@@ -7,6 +7,7 @@
 #include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkMath.h>
+#include <vtkPlane.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -264,6 +265,48 @@ void TestProjection()
       std::abs(away.GetInk(100, 51) - 0.25) < 0.02,
     "a line far from the origin, at its place to a fraction of a pixel");
 }
+
+// Planes of the world cut the strokes of an actor that is moved and turned, far from the origin
+// too.
+void TestClippingPlanes()
+{
+  for (double far : { 0.0, 1e6 })
+  {
+    Picture picture(200, 100);
+    vtkCamera* camera = picture.Renderer->GetActiveCamera();
+    camera->SetFocalPoint(far + 100, 50, 0);
+    camera->SetPosition(far + 100, 50, 1000);
+    // Along x in the world, from 20 to 180.
+    vtkSmartPointer<vtkActor> strokes =
+      picture.AddStrokes(MakeLines({ { { 50, -20, 0 }, { 50, -180, 0 } } }), 4);
+    strokes->SetOrientation(0, 0, 90);
+    strokes->SetPosition(far, 0, 0);
+    const auto clip = [&](double x, double direction)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(far + x, 0, 0);
+      plane->SetNormal(direction, 0, 0);
+      strokes->GetMapper()->AddClippingPlane(plane);
+    };
+    picture.Render();
+    Check(std::abs(picture.GetInk(10, 0, 190, 100) - 4 * (160 + vtkMath::Pi())) < 3, "unclipped");
+    clip(60, 1);
+    picture.Render();
+    Check(picture.GetInk(0, 0, 57, 100) == 0 && picture.GetInk(58, 0, 60, 100) > 4 &&
+        std::abs(picture.GetInk(60, 0, 100, 100) - 160) < 1,
+      "clipped from the left: " + std::to_string(picture.GetInk()));
+    clip(140, -1);
+    picture.Render();
+    Check(std::abs(picture.GetInk() - 4 * (80 + vtkMath::Pi())) < 2,
+      "clipped from both sides: " + std::to_string(picture.GetInk()));
+    clip(150, 1);
+    picture.Render();
+    Check(picture.GetInk() == 0, "clipped away");
+    strokes->GetMapper()->RemoveAllClippingPlanes();
+    picture.Render();
+    Check(picture.GetInk() > 600, "without planes again");
+  }
+}
 }
 
 int TestStrokeVisibility(int argc, char* argv[])
@@ -274,5 +317,6 @@ int TestStrokeVisibility(int argc, char* argv[])
   TestOccluder(argc, argv);
   TestSphereContour(argc, argv);
   TestProjection();
+  TestClippingPlanes();
   return nprtest::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
