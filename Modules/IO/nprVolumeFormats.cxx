@@ -50,7 +50,8 @@ double OtsuThreshold(vtkDataArray* scalars, const double range[2])
     const double value = scalars->GetComponent(i, 0);
     if (value >= range[0] && value <= range[1])
     {
-      histogram[static_cast<std::size_t>((value - range[0]) * scale)] += 1.0;
+      // The nearest: a bin stands for the value in its middle, and rounding must not move the last.
+      histogram[static_cast<std::size_t>(std::lround((value - range[0]) * scale))] += 1.0;
     }
   }
   double total = 0.0;
