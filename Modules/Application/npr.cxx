@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <exception>
 #include <new>
 
 int main(int argc, char* argv[])
@@ -25,7 +26,7 @@ int main(int argc, char* argv[])
                  "  npr lines scan.ply -o lines.vtp --lines contours,suggestive\n"
                  "\n"
                  "Exit codes: 0 done, 1 wrong words, 2 a model or style that can not be used,\n"
-                 "3 a file that can not be written, 4 drawing failed.");
+                 "3 a file that can not be written, 4 drawing failed, 5 anything else.");
 
   npr::AddRenderCommand(program, reporter);
   npr::AddDemoCommand(program, reporter);
@@ -66,6 +67,12 @@ int main(int argc, char* argv[])
       "npr: not enough memory for this model and image size; try a smaller --size "
       "or a coarser model\n");
     return npr::InputError;
+  }
+  catch (const std::exception& error)
+  {
+    reporter.ClearProgress();
+    std::fprintf(stderr, "npr: something unforeseen went wrong: %s\n", error.what());
+    return npr::OtherError;
   }
   return npr::Success;
 }

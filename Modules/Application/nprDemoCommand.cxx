@@ -16,10 +16,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <sstream>
+#include <string>
+#include <system_error>
 
 namespace npr
 {
@@ -55,12 +58,14 @@ std::string MakeEntry(const std::string& name, const std::string& description)
 void MakeDemo(const DemoOptions& options, Reporter& reporter)
 {
   namespace fs = std::filesystem;
+  const std::array<int, 2> size = options.View.GetSize();
+  options.View.Parse(); // refuses what is wrong before a folder is made
   std::error_code error;
   fs::create_directories(options.Folder, error);
   const fs::path folder(options.Folder);
   CheckWritable((folder / "index.html").string());
 
-  RenderJob job(reporter, options.View.GetSize());
+  RenderJob job(reporter, size);
   reporter.BeginStage("sample");
   vtkNew<vtkNPRSampleSource> sample;
   vtkNew<vtkPolyDataMapper> mapper;

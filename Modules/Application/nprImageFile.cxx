@@ -16,9 +16,12 @@
 #include <vtkTIFFWriter.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <string>
+#include <system_error>
 #include <unistd.h>
 
 namespace npr
@@ -73,7 +76,13 @@ bool KeepsTransparency(const std::string& file)
 //------------------------------------------------------------------------------
 void CheckWritable(const std::string& file)
 {
-  const fs::path folder = fs::absolute(fs::path(file)).parent_path();
+  std::error_code error;
+  const fs::path folder = fs::absolute(fs::path(file), error).parent_path();
+  if (error)
+  {
+    throw CommandError(OutputError,
+      file + ": its folder can not be told (" + error.message() + "); name it in full");
+  }
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
   {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCommands.h"
 
-#include "nprArrayNames.h"
+#include "nprLengthScale.h"
 #include "nprReporter.h"
+#include "nprViewOptions.h"
 #include "vtkNPRModelImporter.h"
 #include "vtkNPRSurfacePreparation.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -18,7 +18,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <optional>
 
 namespace npr
 {
@@ -26,8 +25,8 @@ namespace
 {
 struct InfoOptions
 {
+  ModelOptions Reading;
   std::string File;
-  std::optional<double> IsoValue;
   bool ListFormats = false;
 };
 
@@ -52,12 +51,6 @@ void PrintArrays(const char* what, vtkDataSetAttributes* attributes)
   }
 }
 
-double GetLengthScale(vtkPolyData* surface)
-{
-  vtkDataArray* scale = surface->GetFieldData()->GetArray(names::LengthScale);
-  return scale ? scale->GetComponent(0, 0) : 0.0;
-}
-
 void ListFormats()
 {
   for (int i = 0; i < vtkNPRModelImporter::GetNumberOfFormats(); ++i)
@@ -70,21 +63,9 @@ void ListFormats()
 
 void PrintInfo(const InfoOptions& options, Reporter& reporter)
 {
-  vtkNew<vtkNPRModelImporter> importer;
-  reporter.Watch(importer, "reading " + options.File);
-  importer->SetFileName(options.File.c_str());
-  if (options.IsoValue)
-  {
-    importer->SetIsoValue(*options.IsoValue);
-  }
+  const auto importer = options.Reading.Read(options.File, reporter);
   vtkNew<vtkPolyData> surface;
-  const bool good = importer->GetSurface(surface);
-  reporter.ClearProgress();
-  reporter.DropVTKErrors();
-  if (!good)
-  {
-    throw CommandError(InputError, importer->GetErrorMessage());
-  }
+  importer->GetSurface(surface);
 
   vtkNew<vtkNPRSurfacePreparation> preparation;
   reporter.Watch(preparation, "preparing");
@@ -104,10 +85,6 @@ void PrintInfo(const InfoOptions& options, Reporter& reporter)
   std::printf("%-14s %s\n", "preparation", preparation->GetReport().c_str());
   PrintArrays("point array", surface->GetPointData());
   PrintArrays("cell array", surface->GetCellData());
-  if (importer->GetWarnings()[0] != '\0')
-  {
-    reporter.Warn(importer->GetWarnings());
-  }
 }
 }
 
@@ -117,7 +94,7 @@ void AddInfoCommand(CLI::App& program, Reporter& reporter)
   CLI::App* command = program.add_subcommand("info", "Say what is in a model");
   auto options = std::make_shared<InfoOptions>();
   CLI::Option* file = command->add_option("MODEL", options->File, "The file");
-  command->add_option("--iso", options->IsoValue, "The value of the surface to take from a volume");
+  options->Reading.AddReadingTo(*command);
   command->add_flag("--formats", options->ListFormats, "List the kinds of files that are read");
   command->callback(
     [options, file, &reporter]()

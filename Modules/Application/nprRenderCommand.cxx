@@ -32,6 +32,7 @@ void Render(const RenderOptions& options, Reporter& reporter)
   // All that can be refused is refused before the long work.
   CheckImageFile(options.Output);
   const std::array<int, 2> size = options.View.GetSize();
+  options.View.Parse();
   vtkNew<vtkNPRIllustrationStyle> style;
   options.Style.ApplyTo(style, reporter);
 

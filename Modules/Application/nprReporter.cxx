@@ -13,28 +13,42 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <mutex>
+#include <utility>
 
 namespace npr
 {
 namespace
 {
 /// Keeps VTK's messages, each folded to one line without the file, line and address before it.
+/// They may come from the threads of vtkSMPTools.
 class MessageCollector : public vtkOutputWindow
 {
 public:
   static MessageCollector* New();
   vtkTypeMacro(MessageCollector, vtkOutputWindow);
 
-  void DisplayErrorText(const char* text) override { this->Errors.push_back(Fold(text)); }
-  void DisplayWarningText(const char* text) override { this->Warnings.push_back(Fold(text)); }
+  void DisplayErrorText(const char* text) override { this->Add(this->Errors, text); }
+  void DisplayWarningText(const char* text) override { this->Add(this->Warnings, text); }
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
 
-  std::vector<std::string> Errors;
-  std::vector<std::string> Warnings;
+  /// All since the last call.
+  std::vector<std::string> TakeErrors() { return this->Take(this->Errors); }
+  std::vector<std::string> TakeWarnings() { return this->Take(this->Warnings); }
 
 private:
+  void Add(std::vector<std::string>& messages, const char* text)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    messages.push_back(Fold(text));
+  }
+  std::vector<std::string> Take(std::vector<std::string>& messages)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return std::exchange(messages, {});
+  }
   static std::string Fold(const char* text)
   {
     std::string message = text ? text : "";
@@ -46,6 +60,10 @@ private:
     message.erase(message.find_last_not_of(' ') + 1);
     return message;
   }
+
+  std::mutex Mutex;
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
 };
 vtkStandardNewMacro(MessageCollector);
 
@@ -83,23 +101,21 @@ void Reporter::CaptureVTKMessages()
 void Reporter::ThrowOnVTKError(ExitCode code)
 {
   MessageCollector* collector = GetCollector();
-  for (const std::string& warning : collector->Warnings)
+  for (const std::string& warning : collector->TakeWarnings())
   {
     this->Note("warning: " + warning);
   }
-  collector->Warnings.clear();
-  if (!collector->Errors.empty())
+  const std::vector<std::string> errors = collector->TakeErrors();
+  if (!errors.empty())
   {
-    const std::string first = collector->Errors.front();
-    collector->Errors.clear();
-    throw CommandError(code, first);
+    throw CommandError(code, errors.front());
   }
 }
 
 //------------------------------------------------------------------------------
 void Reporter::DropVTKErrors()
 {
-  GetCollector()->Errors.clear();
+  GetCollector()->TakeErrors();
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,8 @@ enum ExitCode
   UsageError = 1,  ///< The words of the command are wrong.
   InputError = 2,  ///< A model or a style can not be used.
   OutputError = 3, ///< A file can not be written.
-  RenderError = 4  ///< No window could be made, or drawing failed.
+  RenderError = 4, ///< No window could be made, or drawing failed.
+  OtherError = 5   ///< Something that nobody foresaw.
 };
 
 /// Ends the command with a message and an exit code.

@@ -14,6 +14,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 
@@ -42,28 +44,72 @@ std::vector<double> ParseNumbers(
   return numbers;
 }
 
-bool EndsWith(const std::string& text, const std::string& end)
+std::array<double, 3> MakeAxis(int axis)
 {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+  std::array<double, 3> vector = { 0.0, 0.0, 0.0 };
+  vector[axis] = 1.0;
+  return vector;
 }
 
-/// CAD programs and medical images have Z up; most scans and scene formats have Y up.
-int UsualUpAxis(const ModelOptions& models)
+std::array<double, 3> ParsePoint(
+  const std::string& option, const std::string& text, const char* form = "X,Y,Z")
 {
-  for (const std::string& file : models.Files)
+  const std::vector<double> numbers = ParseNumbers(option, text, 3, form);
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+void CheckDirections(const std::array<double, 3>& eye, const std::array<double, 3>& target,
+  const std::optional<std::array<double, 3>>& up)
+{
+  double direction[3];
+  vtkMath::Subtract(target.data(), eye.data(), direction);
+  if (vtkMath::Norm(direction) == 0.0)
   {
-    std::string name = file;
-    std::transform(
-      name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    for (const char* extension : { ".stl", ".nii", ".nii.gz" })
+    throw CommandError(UsageError, "--eye and --target must differ");
+  }
+  if (!up)
+  {
+    return;
+  }
+  double side[3];
+  vtkMath::Cross(direction, up->data(), side);
+  if (vtkMath::Norm(side) <= 1e-9 * vtkMath::Norm(direction) * vtkMath::Norm(up->data()))
+  {
+    throw CommandError(
+      UsageError, "--up must not point along the view from --eye to --target; turn one of them");
+  }
+}
+
+void ApplyEye(vtkRenderer* renderer, const ViewSpecification& view, const std::array<double, 3>& up)
+{
+  const std::array<double, 3>& eye = *view.Eye;
+  std::array<double, 3> target;
+  if (view.Target)
+  {
+    target = *view.Target;
+  }
+  else
+  {
+    double bounds[6];
+    renderer->ComputeVisiblePropBounds(bounds);
+    for (int i = 0; i < 3; ++i)
     {
-      if (EndsWith(name, extension))
-      {
-        return 2;
-      }
+      target[i] = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
     }
   }
-  return 1;
+  CheckDirections(eye, target, up);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(eye.data());
+  camera->SetFocalPoint(target.data());
+  camera->SetViewUp(up.data());
+  if (view.IsParallel)
+  {
+    // As large as the same viewer would see it in perspective.
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(
+      camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())));
+  }
+  renderer->ResetCameraClippingRange();
 }
 }
 
@@ -75,16 +121,17 @@ std::vector<std::string> SplitList(const std::string& text)
   std::string part;
   while (std::getline(stream, part, ','))
   {
-    if (!part.empty())
+    const std::size_t first = part.find_first_not_of(" \t");
+    if (first != std::string::npos)
     {
-      parts.push_back(part);
+      parts.push_back(part.substr(first, part.find_last_not_of(" \t") - first + 1));
     }
   }
   return parts;
 }
 
 //------------------------------------------------------------------------------
-CLI::Option* ModelOptions::AddTo(CLI::App& command)
+void ModelOptions::AddReadingTo(CLI::App& command)
 {
   command.add_option("--iso", this->IsoValue, "The value of the surface to take from a volume");
   command
@@ -92,9 +139,41 @@ CLI::Option* ModelOptions::AddTo(CLI::App& command)
       "How far a volume is smoothed before the surface is taken, in voxels; 0 for not at all")
     ->check(CLI::Range(0.0, 10.0))
     ->capture_default_str();
+}
+
+//------------------------------------------------------------------------------
+CLI::Option* ModelOptions::AddTo(CLI::App& command)
+{
+  this->AddReadingTo(command);
   return command
     .add_option("MODEL", this->Files, "Model files; npr info --formats lists what is read")
     ->required();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkNPRModelImporter> ModelOptions::Read(
+  const std::string& file, Reporter& reporter) const
+{
+  auto importer = vtkSmartPointer<vtkNPRModelImporter>::New();
+  reporter.Watch(importer, "reading " + file);
+  importer->SetFileName(file.c_str());
+  if (this->IsoValue)
+  {
+    importer->SetIsoValue(*this->IsoValue);
+  }
+  importer->SetVolumeSmoothing(this->VolumeSmoothing);
+  const bool good = importer->Read();
+  reporter.ClearProgress();
+  reporter.DropVTKErrors();
+  if (!good)
+  {
+    throw CommandError(InputError, importer->GetErrorMessage());
+  }
+  if (importer->GetWarnings()[0] != '\0')
+  {
+    reporter.Warn(importer->GetWarnings());
+  }
+  return importer;
 }
 
 //------------------------------------------------------------------------------
@@ -102,26 +181,26 @@ void ModelOptions::Import(vtkRenderer* renderer, Reporter& reporter) const
 {
   for (const std::string& file : this->Files)
   {
-    vtkNew<vtkNPRModelImporter> importer;
-    reporter.Watch(importer, "reading " + file);
-    importer->SetFileName(file.c_str());
-    if (this->IsoValue)
-    {
-      importer->SetIsoValue(*this->IsoValue);
-    }
-    importer->SetVolumeSmoothing(this->VolumeSmoothing);
-    const bool good = importer->ImportInto(renderer);
-    reporter.ClearProgress();
-    reporter.DropVTKErrors();
-    if (!good)
-    {
-      throw CommandError(InputError, importer->GetErrorMessage());
-    }
-    if (importer->GetWarnings()[0] != '\0')
-    {
-      reporter.Warn(importer->GetWarnings());
-    }
+    this->Read(file, reporter)->ImportInto(renderer);
   }
+}
+
+//------------------------------------------------------------------------------
+int ModelOptions::GetUpAxis() const
+{
+  constexpr int usual = 1;
+  std::optional<int> common;
+  for (const std::string& file : this->Files)
+  {
+    vtkNew<vtkNPRModelImporter> importer; // knows it by the name alone
+    importer->SetFileName(file.c_str());
+    if (common.value_or(importer->GetUpAxis()) != importer->GetUpAxis())
+    {
+      return usual;
+    }
+    common = importer->GetUpAxis();
+  }
+  return common.value_or(usual);
 }
 
 //------------------------------------------------------------------------------
@@ -140,7 +219,8 @@ void ViewOptions::AddTo(CLI::App& command)
   command.add_option("--target", this->Target, "Point to look at, X,Y,Z; default: the middle")
     ->needs("--eye");
   command.add_option("--up", this->Up,
-    "Which way is up: x, y, z, or with --eye a vector X,Y,Z; default: z for STL and NIfTI, else y");
+    "Which way is up: x, y, z, or with --eye a vector X,Y,Z; default: z if all models are STL, "
+    "NIfTI, NRRD or MetaImage, else y");
 }
 
 //------------------------------------------------------------------------------
@@ -159,78 +239,80 @@ std::array<int, 2> ViewOptions::GetSize() const
 }
 
 //------------------------------------------------------------------------------
-void ViewOptions::Apply(vtkRenderer* renderer, const ModelOptions& models) const
+ViewSpecification ViewOptions::Parse() const
 {
-  vtkNew<vtkNPRViewpoint> viewpoint;
-  viewpoint->SetParallelProjection(this->Projection == "parallel");
+  ViewSpecification view;
+  view.IsParallel = this->Projection == "parallel";
   const std::string axes = "xyz";
-  const bool namedUp = this->Up.size() == 1 && axes.find(this->Up) != std::string::npos;
-  const int upAxis = namedUp ? static_cast<int>(axes.find(this->Up)) : UsualUpAxis(models);
-  viewpoint->SetUpAxis(upAxis);
+  if (this->Up.size() == 1 && axes.find(this->Up) != std::string::npos)
+  {
+    view.UpAxis = static_cast<int>(axes.find(this->Up));
+  }
+  else if (!this->Up.empty() && this->Eye.empty())
+  {
+    throw CommandError(UsageError, "--up '" + this->Up + "': without --eye, write x, y or z");
+  }
+  else if (!this->Up.empty())
+  {
+    view.Up = ParsePoint("--up", this->Up, "x, y, z, or X,Y,Z");
+  }
 
   if (this->Eye.empty())
   {
-    if (!this->Up.empty() && !namedUp)
-    {
-      throw CommandError(UsageError, "--up '" + this->Up + "': without --eye, write x, y or z");
-    }
     const std::vector<std::string> names = vtkNPRViewpoint::GetViewNames();
     if (std::find(names.begin(), names.end(), this->View) != names.end())
     {
-      viewpoint->SetViewByName(this->View);
+      view.Name = this->View;
     }
     else
     {
       const std::vector<double> angles = ParseNumbers("--view", this->View, 2,
         "front, back, left, right, top, bottom, three-quarter, or AZIMUTH,ELEVATION in degrees");
-      viewpoint->SetAzimuth(angles[0]);
-      viewpoint->SetElevation(angles[1]);
+      view.Azimuth = angles[0];
+      view.Elevation = angles[1];
     }
-    viewpoint->Apply(renderer);
-    return;
+    return view;
   }
 
-  const std::vector<double> eye = ParseNumbers("--eye", this->Eye, 3, "X,Y,Z");
-  std::vector<double> up(3, 0.0);
-  up[upAxis] = 1.0;
-  if (!this->Up.empty() && !namedUp)
+  view.Eye = ParsePoint("--eye", this->Eye);
+  if (view.UpAxis)
   {
-    up = ParseNumbers("--up", this->Up, 3, "x, y, z, or X,Y,Z");
+    view.Up = MakeAxis(*view.UpAxis);
   }
-  std::vector<double> target(3, 0.0);
-  if (this->Target.empty())
+  if (view.Up && vtkMath::Norm(view.Up->data()) == 0.0)
   {
-    double bounds[6];
-    renderer->ComputeVisiblePropBounds(bounds);
-    for (int i = 0; i < 3; ++i)
-    {
-      target[i] = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
-    }
+    throw CommandError(UsageError, "--up '" + this->Up + "': write a vector that is not zero");
+  }
+  if (!this->Target.empty())
+  {
+    view.Target = ParsePoint("--target", this->Target);
+    CheckDirections(*view.Eye, *view.Target, view.Up);
+  }
+  return view;
+}
+
+//------------------------------------------------------------------------------
+void ViewOptions::Apply(vtkRenderer* renderer, const ModelOptions& models) const
+{
+  const ViewSpecification view = this->Parse();
+  const int upAxis = view.UpAxis.value_or(models.GetUpAxis());
+  if (view.Eye)
+  {
+    ApplyEye(renderer, view, view.Up.value_or(MakeAxis(upAxis)));
+    return;
+  }
+  vtkNew<vtkNPRViewpoint> viewpoint;
+  viewpoint->SetParallelProjection(view.IsParallel);
+  viewpoint->SetUpAxis(upAxis);
+  if (view.Name.empty())
+  {
+    viewpoint->SetAzimuth(view.Azimuth);
+    viewpoint->SetElevation(view.Elevation);
   }
   else
   {
-    target = ParseNumbers("--target", this->Target, 3, "X,Y,Z");
+    viewpoint->SetViewByName(view.Name);
   }
-  double direction[3], side[3];
-  vtkMath::Subtract(target.data(), eye.data(), direction);
-  vtkMath::Cross(direction, up.data(), side);
-  if (vtkMath::Norm(direction) == 0.0 ||
-    vtkMath::Norm(side) <= 1e-9 * vtkMath::Norm(direction) * vtkMath::Norm(up.data()))
-  {
-    throw CommandError(
-      UsageError, "--eye and --target must differ, and --up must not point along the view");
-  }
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(eye.data());
-  camera->SetFocalPoint(target.data());
-  camera->SetViewUp(up.data());
-  if (viewpoint->GetParallelProjection())
-  {
-    // As large as the same viewer would see it in perspective.
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(vtkMath::Norm(direction) *
-      std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())));
-  }
-  renderer->ResetCameraClippingRange();
+  viewpoint->Apply(renderer);
 }
 }

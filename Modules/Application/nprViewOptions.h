@@ -7,6 +7,8 @@
 #ifndef nprViewOptions_h
 #define nprViewOptions_h
 
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -17,6 +19,7 @@ namespace CLI
 class App;
 class Option;
 }
+class vtkNPRModelImporter;
 class vtkRenderer;
 
 namespace npr
@@ -29,10 +32,31 @@ struct ModelOptions
   std::optional<double> IsoValue;
   double VolumeSmoothing = 1.0;
 
-  /// Returns the option of the files, which is required.
+  /// The options that say how a file is read.
+  void AddReadingTo(CLI::App& command);
+  /// These and the files. Returns the option of the files, which is required.
   CLI::Option* AddTo(CLI::App& command);
+
+  /// Read one file. Throws a CommandError that names it; warns of what had to be left out.
+  vtkSmartPointer<vtkNPRModelImporter> Read(const std::string& file, Reporter& reporter) const;
   /// Read every file into the renderer. Throws a CommandError that names the file.
   void Import(vtkRenderer* renderer, Reporter& reporter) const;
+  /// Which axis is up by the custom of the files' formats; y where they differ.
+  int GetUpAxis() const;
+};
+
+/// What the words of ViewOptions mean.
+struct ViewSpecification
+{
+  bool IsParallel = false;
+  std::optional<int> UpAxis;
+  /// @name Without an eye
+  ///@{
+  std::string Name; ///< Of a view; empty: the two angles count, in degrees.
+  double Azimuth = 0.0;
+  double Elevation = 0.0;
+  ///@}
+  std::optional<std::array<double, 3>> Eye, Target, Up;
 };
 
 struct ViewOptions
@@ -44,6 +68,9 @@ struct ViewOptions
 
   void AddTo(CLI::App& command);
 
+  /// Throws a CommandError where the words make no sense; to be called before any long work.
+  ViewSpecification Parse() const;
+
   /// Width and height in pixels.
   std::array<int, 2> GetSize() const;
 
@@ -52,7 +79,7 @@ struct ViewOptions
   void Apply(vtkRenderer* renderer, const ModelOptions& models) const;
 };
 
-/// "a,b,c" as its parts, without the empty ones.
+/// "a, b,c" as its parts, without blanks around them and without the empty ones.
 std::vector<std::string> SplitList(const std::string& text);
 }
 

@@ -107,9 +107,29 @@ class TestBadInput(CommandTest):
             ["lines", self.model, "-o", self.path("lines.txt")],
             ["lines", self.model, "-o", self.path("lines.vtp"), "--lines", "wrinkles"],
             ["info"],
+            ["info", self.model, "--volume-smoothing", "99"],
         ):
             with self.subTest(words=words):
                 self.refuse(words, USAGE)
+
+    def test_bad_view_is_refused_before_models_are_read(self):
+        missing = self.path("nothing.ply")
+        for words in (
+            ["--size", "big"],
+            ["--view", "sideways"],
+            ["--view", "1,2,3"],
+            ["--up", "q"],
+            ["--up", "1,0,0"],
+            ["--eye", "1,2"],
+            ["--eye", "1,2,3", "--up", "0,0"],
+            ["--eye", "1,2,3", "--up", "0,0,0"],
+            ["--eye", "1,2,3", "--target", "1,2"],
+            ["--eye", "1,2,3", "--target", "1,2,3"],
+            ["--eye", "1,2,3", "--target", "1,2,9", "--up", "z"],
+        ):
+            with self.subTest(words=words):
+                self.refuse(["render", missing, "-o", self.image, *words], USAGE, words[-2])
+                self.refuse(["demo", self.path("demo"), *words], USAGE, words[-2])
 
     def test_bad_lines_and_background(self):
         self.refuse(self.render("--lines", "wrinkles"), USAGE, "wrinkles", "contours")

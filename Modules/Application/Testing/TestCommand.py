@@ -2,10 +2,73 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The verbs of npr do what their help says."""
 
+import math
 import os
+import struct
 import unittest
 
+try:
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+except ImportError:
+    vtkXMLPolyDataReader = None
+
 from commandtest import TETRAHEDRON, CommandTest, read_png, run
+
+TETRAHEDRON_STL = """SOLID tetrahedron
+facet normal 0 0 0
+outer loop
+vertex 0 0 0
+vertex 0 1 0
+vertex 1 0 0
+endloop
+endfacet
+facet normal 0 0 0
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 0 1
+endloop
+endfacet
+facet normal 0 0 0
+outer loop
+vertex 0 0 0
+vertex 0 0 1
+vertex 0 1 0
+endloop
+endfacet
+facet normal 0 0 0
+outer loop
+vertex 1 0 0
+vertex 0 1 0
+vertex 0 0 1
+endloop
+endfacet
+ENDSOLID tetrahedron
+"""
+
+
+def read_segments(path):
+    """The segments of all polylines, each as its two points."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    lines = reader.GetOutput()
+    segments = []
+    for i in range(lines.GetNumberOfCells()):
+        points = lines.GetCell(i).GetPoints()
+        chain = [points.GetPoint(j) for j in range(points.GetNumberOfPoints())]
+        segments += zip(chain, chain[1:])
+    return segments
+
+
+def edge_of(segment, corners):
+    """The edge between two of the corners that the segment lies on; None if on no one."""
+    for i, a in enumerate(corners):
+        for b in corners[:i]:
+            if all(abs(math.dist(a, p) + math.dist(p, b) - math.dist(a, b)) < 1e-6 for p in segment):
+                return (a, b)
+    return None
+
 
 STYLES = ("technical", "toon", "ink", "plain")
 
@@ -108,6 +171,61 @@ class TestCommand(CommandTest):
         listed = self.run_well("lines", "--list").stdout
         for name in ("contours", "suggestive", "creases", "boundaries"):
             self.assertIn(name, listed)
+
+    def check_creases(self, segments, *offsets):
+        """The six edges of a tetrahedron at each offset, each covered once."""
+        corners = [(o + x, y, z) for o in offsets for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+        edges = [edge_of(segment, corners) for segment in segments]
+        self.assertNotIn(None, edges)
+        self.assertEqual(len(set(edges)), 6 * len(offsets))
+        length = sum(math.dist(*segment) for segment in segments)
+        self.assertAlmostEqual(length, (3 + 3 * math.sqrt(2)) * len(offsets), 5)
+
+    @unittest.skipUnless(vtkXMLPolyDataReader, "needs VTK's Python modules")
+    def test_lines_are_the_creases(self):
+        path = self.path("lines.vtp")
+        self.run_well("lines", self.model, "-o", path, "--lines", "creases")
+        self.check_creases(read_segments(path), 0)
+
+    @unittest.skipUnless(vtkXMLPolyDataReader, "needs VTK's Python modules")
+    def test_lines_of_two_models(self):
+        points = {"v 0 ": "v 5 ", "v 1 ": "v 6 "}
+        other = self.write("other.obj", "".join(points.get(row[:4], row[:4]) + row[4:] for row in TETRAHEDRON.splitlines(True)))
+        path = self.path("lines.vtp")
+        self.run_well("lines", self.model, other, "-o", path, "--lines", "creases, boundaries")
+        self.check_creases(read_segments(path), 0, 5)
+
+    def test_up_axis(self):
+        def image(*words):
+            self.run_well("render", *words, "-o", self.image, "--size", "48x48")
+            with open(self.image, "rb") as file:
+                return file.read()
+
+        stl = self.write("model.stl", TETRAHEDRON_STL)
+        self.assertNotEqual(image(stl, "--up", "z"), image(stl, "--up", "y"))
+        self.assertEqual(image(stl), image(stl, "--up", "z"), "CAD has z up")
+        self.assertEqual(image(self.model), image(self.model, "--up", "y"))
+        self.assertEqual(image(stl, self.model), image(stl, self.model, "--up", "y"), "they do not agree")
+
+    def test_list_with_blanks(self):
+        self.run_well("render", self.model, "-o", self.image, "--lines", "contours, creases ", "--size", "32x32")
+
+    def test_info_reads_a_volume_as_render_does(self):
+        size = 12
+        values = b"".join(
+            struct.pack("<f", 1.0 if math.dist((x, y, z), (5.5, 5.5, 5.5)) < 3.2 else 0.0)
+            for z in range(size)
+            for y in range(size)
+            for x in range(size)
+        )
+        header = f"NRRD0004\ntype: float\ndimension: 3\nsizes: {size} {size} {size}\nendian: little\nencoding: raw\n\n"
+        path = self.write("ball.nrrd", header.encode() + values)
+        usual, smoothed, raw = (
+            self.run_well("info", path, "--iso", "0.5", *words).stdout
+            for words in ([], ["--volume-smoothing", "1"], ["--volume-smoothing", "0"])
+        )
+        self.assertEqual(usual, smoothed, "render smooths by one voxel")
+        self.assertNotEqual(usual, raw)
 
     def test_info(self):
         text = self.run_well("info", self.model).stdout
