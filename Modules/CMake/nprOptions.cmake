@@ -1,7 +1,12 @@
 # What a user may switch at configure time, and how our own code is compiled.
 include(GNUInstallDirs)
 
-option(BUILD_SHARED_LIBS "Build shared libraries" ON)
+option(BUILD_SHARED_LIBS "Build shared libraries (static ones are not supported)" ON)
+if (NOT BUILD_SHARED_LIBS)
+  message(FATAL_ERROR "vtkNPR can only be built as shared libraries: the object factories and the "
+    "private dependencies of static ones would be left to every program that links them. "
+    "Configure with -DBUILD_SHARED_LIBS=ON.")
+endif ()
 option(BUILD_TESTING "Build the tests, examples and benchmarks" ON)
 option(NPR_WRAP_PYTHON "Build the Python package vtknpr" ON)
 set(NPR_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages"
@@ -29,6 +34,9 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+# Our libraries find each other in any prefix: linkers write RUNPATH, which what a library links
+# does not inherit. For its Python modules VTK appends the way to the libraries.
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
 
 if (NPR_SANITIZE)
   add_compile_options("-fsanitize=${NPR_SANITIZE}" -fno-omit-frame-pointer)

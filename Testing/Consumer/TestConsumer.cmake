@@ -4,11 +4,13 @@ function (step what)
   if (NOT result EQUAL 0)
     message(FATAL_ERROR "${what} failed:\n${text}")
   endif ()
-  set(step_output "${text}" PARENT_SCOPE)
+  message("${what}:\n${text}")
 endfunction ()
 
-# Nothing of an earlier run may help.
+# Nothing of an earlier run may help, and no path that whoever runs the tests has set.
 file(REMOVE_RECURSE "${WORK}")
+unset(ENV{LD_LIBRARY_PATH})
+unset(ENV{PYTHONPATH})
 step("Installing" "${CMAKE_COMMAND}" --install "${BUILD_TREE}" --prefix "${WORK}/prefix")
 
 # A path into the source or build tree works on this machine only.
@@ -33,5 +35,12 @@ step("Configuring the consumer" "${CMAKE_COMMAND}" -G "${GENERATOR}"
   "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}"
   "-DVTK_DIR=${VTK_DIR}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" ${flags})
 step("Building the consumer" "${CMAKE_COMMAND}" --build "${WORK}/build")
-step("Running the consumer" "${WORK}/build/consumer")
-message("${step_output}")
+step("Running the consumer's filters" "${WORK}/build/curvature")
+step("Running the consumer's picture" "${WORK}/build/picture")
+
+step("Running the installed command" "${WORK}/prefix/${BIN}/npr" doctor)
+if (PYTHON_PATH)
+  step("Importing the installed package"
+    "${CMAKE_COMMAND}" -E env "PYTHONPATH=${WORK}/prefix/${PYTHON_PATH}"
+    "${PYTHON}" -c "print(__import__('vtknpr').__file__)")
+endif ()
