@@ -5,8 +5,16 @@ set(NPR_TEST_OUTPUT "${CMAKE_BINARY_DIR}/Testing/Output")
 file(MAKE_DIRECTORY "${NPR_TEST_OUTPUT}")
 set(NPR_TEST_MODELS "${CMAKE_BINARY_DIR}/Testing/Models")
 
-# No test opens a window on the screen of whoever runs it.
-set(NPR_TEST_ENVIRONMENT "NPR_OFFSCREEN=osmesa" "LP_NUM_THREADS=2" "NPR_MODELS=${NPR_TEST_MODELS}")
+# No test opens a window on the screen of whoever runs it. OSMesa needs no driver at all; Mesa 25.1
+# and later are without it.
+find_library(osmesa_library NAMES libOSMesa.so.8 NO_CACHE)
+if (osmesa_library)
+  set(offscreen osmesa)
+else ()
+  set(offscreen egl)
+endif ()
+set(NPR_TEST_ENVIRONMENT
+  "NPR_OFFSCREEN=${offscreen}" "LP_NUM_THREADS=2" "NPR_MODELS=${NPR_TEST_MODELS}")
 
 # npr_add_tests(NAME <module library, such as vtkNPRFiltersLines>
 #   SOURCES TestA.cxx TestB.cxx ... [LIBRARIES <targets>...])
