@@ -23,7 +23,6 @@ function (npr_build_modules)
     RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
     VERSION "${PROJECT_VERSION}" SOVERSION "${PROJECT_VERSION_MAJOR}"
     TEST_DIRECTORY_NAME NONE)
-  set_property(GLOBAL PROPERTY npr_modules "${modules}")
 
   foreach (module IN LISTS modules)
     get_target_property(target ${module} ALIASED_TARGET)
