@@ -1,20 +1,31 @@
 # Everything that comes from outside, found once.
 
-# Every VTK module that a vtk.module of ours names in DEPENDS or PRIVATE_DEPENDS, and what their
-# own targets need at generate time.
+# Every VTK module that a vtk.module of ours names in DEPENDS or PRIVATE_DEPENDS. Whoever uses the
+# installed package needs them, too.
 set(NPR_VTK_COMPONENTS
-  CommonColor CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel CommonMath
-  CommonMisc CommonSystem CommonTransforms
-  FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersTexture
-  IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
-  ImagingCore ImagingGeneral InteractionStyle
+  CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  FiltersCore FiltersGeneral FiltersGeometry
+  IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
+  ImagingCore ImagingGeneral
   RenderingCore RenderingOpenGL2 RenderingUI
   vtksys zlib)
-if (NPR_WRAP_PYTHON)
-  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
-  list(APPEND NPR_VTK_COMPONENTS WrappingPythonCore Python)
+
+# What only the build needs.
+set(build_components)
+set(python_components)
+if (BUILD_TESTING)
+  list(APPEND build_components
+    CommonComputationalGeometry CommonMisc FiltersSources FiltersTexture IOExport)
+  list(APPEND python_components Interpreter)
 endif ()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${NPR_VTK_COMPONENTS})
+if (NPR_WRAP_PYTHON)
+  list(APPEND build_components WrappingPythonCore Python)
+  list(APPEND python_components Interpreter Development.Module)
+endif ()
+if (python_components)
+  find_package(Python3 REQUIRED COMPONENTS ${python_components})
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${NPR_VTK_COMPONENTS} ${build_components})
 
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
