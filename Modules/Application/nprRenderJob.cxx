@@ -13,6 +13,8 @@
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
+
 namespace npr
 {
 //------------------------------------------------------------------------------
@@ -44,23 +46,60 @@ RenderJob::RenderJob(Reporter& reporter, const std::array<int, 2>& size)
 RenderJob::~RenderJob() = default;
 
 //------------------------------------------------------------------------------
-void RenderJob::Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent)
+vtkSmartPointer<vtkImageData> RenderJob::Draw()
 {
-  this->Illustration->SetStyle(style);
-  this->Window->SetAlphaBitPlanes(transparent);
-  this->Renderer->SetBackgroundAlpha(transparent ? 0.0 : 1.0);
-  this->Illustration->Apply();
-  this->Output.ThrowOnVTKError(InputError);
-  this->Output.StartClock();
   this->Window->Render();
   this->Output.ThrowOnVTKError(RenderError);
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(this->Window);
-  grab->SetInputBufferType(transparent ? VTK_RGBA : VTK_RGB);
+  grab->SetInputBufferTypeToRGB();
   grab->ReadFrontBufferOff();
   grab->ShouldRerenderOff();
   grab->Update();
   this->Output.ThrowOnVTKError(RenderError);
+  return grab->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> RenderJob::DrawWithoutPaper()
+{
+  // What a pixel shows of the paper is the difference between black and white paper. This holds
+  // for whatever draws there, blended in whichever way.
+  this->Renderer->GradientBackgroundOff();
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  const vtkSmartPointer<vtkImageData> onBlack = this->Draw();
+  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+  const vtkSmartPointer<vtkImageData> onWhite = this->Draw();
+
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(onBlack->GetDimensions());
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  const auto* black = static_cast<const unsigned char*>(onBlack->GetScalarPointer());
+  const auto* white = static_cast<const unsigned char*>(onWhite->GetScalarPointer());
+  auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i, black += 3, white += 3, pixel += 4)
+  {
+    const int paper =
+      std::max({ white[0] - black[0], white[1] - black[1], white[2] - black[2], 0 });
+    const int opacity = 255 - paper;
+    for (int c = 0; c < 3; ++c)
+    {
+      pixel[c] = static_cast<unsigned char>(
+        opacity > 0 ? std::min(255, (black[c] * 255 + opacity / 2) / opacity) : 0);
+    }
+    pixel[3] = static_cast<unsigned char>(opacity);
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void RenderJob::Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent)
+{
+  this->Illustration->SetStyle(style);
+  this->Illustration->Apply();
+  this->Output.ThrowOnVTKError(InputError);
+  this->Output.StartClock();
+  const vtkSmartPointer<vtkImageData> image = transparent ? this->DrawWithoutPaper() : this->Draw();
   // The lines are extracted while the first image is drawn.
   double seconds = this->Output.StopClock();
   for (const char* stage : { "prepare", "curvature", "lines" })
@@ -69,7 +108,7 @@ void RenderJob::Run(vtkNPRIllustrationStyle* style, const std::string& file, boo
   }
   this->Output.AddStage("draw", seconds - this->Illustration->GetStageSeconds("lines"));
   this->Output.BeginStage("write");
-  WriteImage(grab->GetOutput(), file);
+  WriteImage(image, file);
   this->Output.EndStage();
 }
 }

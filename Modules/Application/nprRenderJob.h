@@ -13,6 +13,7 @@
 #include <array>
 #include <string>
 
+class vtkImageData;
 class vtkNPRIllustration;
 class vtkNPRIllustrationStyle;
 class vtkRenderWindow;
@@ -38,6 +39,9 @@ public:
   void Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent);
 
 private:
+  vtkSmartPointer<vtkImageData> Draw();
+  vtkSmartPointer<vtkImageData> DrawWithoutPaper();
+
   Reporter& Output;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

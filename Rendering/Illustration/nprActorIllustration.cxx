@@ -144,7 +144,8 @@ void ActorIllustration::Connect()
 {
   this->Input = this->OriginalMapper->GetInputConnection(0, 0);
   this->Source = MakeSurfaceSource(this->OriginalMapper);
-  this->Pipeline.SetInputConnection(this->Source ? this->Source->GetOutputPort() : this->Input.Get());
+  this->Pipeline.SetInputConnection(
+    this->Source ? this->Source->GetOutputPort() : this->Input.Get());
   if (this->ShownNormals)
   {
     this->ShownNormals->SetInputConnection(this->Input);

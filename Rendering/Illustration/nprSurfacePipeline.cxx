@@ -19,12 +19,15 @@
 #include <vtkSmartPointer.h>
 #include <vtkTimerLog.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace npr
 {
 namespace
 {
+constexpr double EventsPerFilter = 3.0; // that Watch() observes
+
 double ComputeMeanEdge(vtkPolyData* surface)
 {
   double sum = 0.0;
@@ -164,11 +167,15 @@ void SurfacePipeline::OnEnd(vtkObject* filter, unsigned long, void*)
 }
 
 //------------------------------------------------------------------------------
-void SurfacePipeline::OnProgress(vtkObject*, unsigned long, void* data)
+void SurfacePipeline::OnProgress(vtkObject* filter, unsigned long, void* data)
 {
   if (this->Progress && data)
   {
-    this->Progress(*static_cast<double*>(data));
+    const auto place = std::find_if(this->Observers.begin(), this->Observers.end(),
+      [&](const auto& observer) { return observer.first.Get() == filter; });
+    const auto before = static_cast<double>(place - this->Observers.begin());
+    this->Progress(
+      (before + EventsPerFilter * *static_cast<double*>(data)) / this->Observers.size());
   }
 }
 }

@@ -70,7 +70,7 @@ public:
   /// Run everything that does not depend on the view.
   void Update();
 
-  /// Called with a fraction by each filter as it goes on.
+  /// Called with the fraction that is done of what does not depend on the view.
   void SetProgress(std::function<void(double)> progress) { this->Progress = std::move(progress); }
 
   /// Seconds in "prepare", "curvature" and "lines".

@@ -109,6 +109,10 @@ class TestCommand(CommandTest):
         alphas = [row[x + 3] for row in rows for x in range(0, len(row), 4)]
         self.assertEqual(alphas[0], 0)
         self.assertEqual(max(alphas), 255)
+        self.run_well("render", self.model, "-o", self.image, "--style", "ink", "--background", "transparent", "--size", "200x200")
+        rows = read_png(self.image)[3]
+        ink = sum(1 for row in rows for x in range(0, len(row), 4) if row[x] < 64 and row[x + 3] > 200)
+        self.assertGreater(ink, 300, "ink is opaque")
 
     def test_views_and_projections(self):
         for words in (
