@@ -16,8 +16,10 @@
 #include <vtkTIFFWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -65,6 +67,42 @@ vtkSmartPointer<vtkImageWriter> MakeWriter(const std::string& file)
   }
   return nullptr;
 }
+
+/// While it lives, a signal that ends the program removes the unfinished file first.
+class PartialFileGuard
+{
+public:
+  explicit PartialFileGuard(const std::string& path)
+  {
+    std::strncpy(Path, path.c_str(), sizeof(Path) - 1);
+    for (std::size_t i = 0; i < Signals.size(); ++i)
+    {
+      this->Previous[i] = std::signal(Signals[i], &PartialFileGuard::OnSignal);
+    }
+  }
+  ~PartialFileGuard()
+  {
+    for (std::size_t i = 0; i < Signals.size(); ++i)
+    {
+      std::signal(Signals[i], this->Previous[i]);
+    }
+  }
+  PartialFileGuard(const PartialFileGuard&) = delete;
+  void operator=(const PartialFileGuard&) = delete;
+
+private:
+  static void OnSignal(int number)
+  {
+    unlink(Path);
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+  }
+
+  static constexpr std::array<int, 3> Signals = { SIGINT, SIGTERM, SIGXFSZ };
+  static char Path[4096]; // a signal handler must not touch a std::string
+  std::array<void (*)(int), 3> Previous{};
+};
+char PartialFileGuard::Path[4096];
 
 bool KeepsTransparency(const std::string& file)
 {
@@ -120,6 +158,7 @@ void WriteWhole(const std::string& file, const std::function<bool(const std::str
   const fs::path partial =
     target.parent_path() / (".part-" + std::to_string(getpid()) + "-" + target.filename().string());
   std::error_code error;
+  const PartialFileGuard guard(partial.string());
   const bool good = write(partial.string()) && fs::exists(partial, error);
   if (good)
   {

@@ -4,7 +4,10 @@
 
 import math
 import os
+import signal
 import struct
+import subprocess
+import time
 import unittest
 
 try:
@@ -12,7 +15,7 @@ try:
 except ImportError:
     vtkXMLPolyDataReader = None
 
-from commandtest import TETRAHEDRON, CommandTest, read_png, run
+from commandtest import NPR, TETRAHEDRON, CommandTest, read_png, run
 
 TETRAHEDRON_STL = """SOLID tetrahedron
 facet normal 0 0 0
@@ -154,6 +157,15 @@ class TestCommand(CommandTest):
         for stage in ("read", "prepare", "curvature", "lines", "draw", "peak memory"):
             self.assertIn(stage, verbose)
         self.assertEqual(self.run_well(*words, "--quiet").stderr, "")
+
+    def test_interrupt_while_writing(self):
+        command = [NPR, "render", self.model, "-o", self.image, "--size", "6000x4500", "--lines", "none"]
+        process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+        while process.poll() is None and not any(name.startswith(".part") for name in os.listdir(self.folder)):
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        self.assertNotEqual(process.wait(60), 0)
+        self.assertEqual(os.listdir(self.folder), ["model.obj"])
 
     def test_style_file(self):
         style = self.write("mine.json", self.run_well("styles", "--show", "ink").stdout.replace("#ffffff", "#ff0000"))
