@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprFileFormats.h"
 
+#include "nprMessageCapture.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -10,7 +12,9 @@
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
 #include <vtkImageReader2Factory.h>
+#include <vtkJPEGReader.h>
 #include <vtkNew.h>
+#include <vtkPNGReader.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 #include <vtkUnstructuredGrid.h>
@@ -18,7 +22,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace npr
 {
@@ -130,6 +136,33 @@ vtkSmartPointer<vtkProperty> MakePlainProperty(const double diffuse[3], double o
   return property;
 }
 
+namespace
+{
+// The texture of a reader that has its file or bytes; a damaged image is no reason to lose the
+// model.
+vtkSmartPointer<vtkTexture> MakeTexture(
+  ModelFile& file, vtkImageReader2* reader, const std::string& name)
+{
+  const MessageCapture messages;
+  if (reader)
+  {
+    reader->Update();
+  }
+  if (!reader || reader->GetErrorCode() != 0 || !messages.GetErrors().empty() ||
+    reader->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    file.Warnings.push_back("The texture '" + name +
+      "' is not an image that VTK reads; the plain colour is used. Convert it to PNG or JPEG.");
+    return nullptr;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(reader->GetOutput());
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  return texture;
+}
+}
+
 vtkSmartPointer<vtkTexture> ReadTexture(ModelFile& file, const std::string& path)
 {
   std::error_code ignored;
@@ -143,19 +176,51 @@ vtkSmartPointer<vtkTexture> ReadTexture(ModelFile& file, const std::string& path
   if (reader)
   {
     reader->SetFileName(path.c_str());
-    reader->Update();
   }
-  if (!reader || reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() == 0)
+  return MakeTexture(file, reader, path);
+}
+
+vtkSmartPointer<vtkTexture> ReadTextureBytes(
+  ModelFile& file, const std::string& bytes, const std::string& name)
+{
+  vtkSmartPointer<vtkImageReader2> reader;
+  if (bytes.compare(0, 4, "\x89PNG") == 0)
   {
-    file.Warnings.push_back("The texture '" + path +
-      "' is not an image that VTK reads; the plain colour is used. Convert it to PNG or JPEG.");
-    return nullptr;
+    reader = vtkSmartPointer<vtkPNGReader>::New();
   }
-  auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputData(reader->GetOutput());
-  texture->InterpolateOn();
-  texture->MipmapOn();
-  return texture;
+  else if (bytes.compare(0, 2, "\xFF\xD8") == 0)
+  {
+    reader = vtkSmartPointer<vtkJPEGReader>::New();
+  }
+  if (reader)
+  {
+    reader->SetMemoryBuffer(bytes.data());
+    reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
+  }
+  return MakeTexture(file, reader, name);
+}
+
+bool NeedsDouble(const std::vector<std::array<double, 3>>& points)
+{
+  double size = 0.0;
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const auto& point : points)
+    {
+      least = std::min(least, std::isfinite(point[i]) ? point[i] : least);
+      most = std::max(most, std::isfinite(point[i]) ? point[i] : most);
+    }
+    if (least <= most)
+    {
+      size = std::max(size, most - least);
+      farthest = std::max({ farthest, std::abs(least), std::abs(most) });
+    }
+  }
+  // Of the 24 bits of a float 17 are left here, steps of 1e-5 of the size.
+  return farthest > 100.0 * size;
 }
 
 void ReversePolygons(vtkPolyData* surface)

@@ -16,6 +16,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -108,6 +109,12 @@ std::string ReadBytes(const std::string& path);
 vtkSmartPointer<vtkProperty> MakePlainProperty(const double diffuse[3], double opacity);
 /// The texture in an image file; null, with a warning, where it can not be read.
 vtkSmartPointer<vtkTexture> ReadTexture(ModelFile& file, const std::string& path);
+/// The texture in the bytes of a PNG or JPEG; the name is for the warning.
+vtkSmartPointer<vtkTexture> ReadTextureBytes(
+  ModelFile& file, const std::string& bytes, const std::string& name);
+/// Whether points lie so far from the origin, for the size of their box, that floats would lose
+/// details.
+bool NeedsDouble(const std::vector<std::array<double, 3>>& points);
 /// Reverse all polygons of a surface.
 void ReversePolygons(vtkPolyData* surface);
 /// Points, normals and the order of polygons, taken through a matrix; a mirror keeps outside out.

@@ -4,18 +4,9 @@
 // Meshes that VTK's own readers read.
 #include "nprFileFormats.h"
 
-#include <vtkActor.h>
-#include <vtkActorCollection.h>
-#include <vtkEventForwarderCommand.h>
-#include <vtkFloatArray.h>
-#include <vtkGLTFImporter.h>
 #include <vtkGeometryFilter.h>
-#include <vtkMapper.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkSTLReader.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
@@ -26,7 +17,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -89,30 +79,6 @@ vtkSmartPointer<vtkDataSet> ReadWith(ModelFile& file)
   vtkDataSet* data = reader->GetOutput();
   return data;
 }
-
-double ToSRGB(double linear)
-{
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-// Texture coordinates of glTF run downwards; VTK's importer turns them in the shader.
-void TurnTextureCoordinates(vtkPolyData* surface)
-{
-  vtkDataArray* coordinates = surface->GetPointData()->GetTCoords();
-  if (!coordinates)
-  {
-    return;
-  }
-  vtkNew<vtkFloatArray> turned;
-  turned->SetName(coordinates->GetName());
-  turned->SetNumberOfComponents(2);
-  turned->SetNumberOfTuples(coordinates->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
-  {
-    turned->SetTuple2(i, coordinates->GetComponent(i, 0), 1.0 - coordinates->GetComponent(i, 1));
-  }
-  surface->GetPointData()->SetTCoords(turned);
-}
 }
 
 void ReadSTL(ModelFile& file)
@@ -146,47 +112,5 @@ void AddOutside(ModelFile& file, vtkDataSet* data)
   outside->SetInputData(data);
   outside->Update();
   file.AddPart(outside->GetOutput());
-}
-
-void ReadGLTF(ModelFile& file)
-{
-  vtkNew<vtkRenderWindow> window; // never drawn: the importer wants one to put its renderer in
-  vtkNew<vtkRenderer> renderer;
-  window->AddRenderer(renderer);
-  vtkNew<vtkGLTFImporter> importer;
-  if (file.Progress)
-  {
-    importer->AddObserver(vtkCommand::ProgressEvent, file.Progress);
-  }
-  importer->SetFileName(file.Path.c_str());
-  importer->SetRenderWindow(window);
-  importer->Update();
-
-  vtkActorCollection* actors = renderer->GetActors();
-  actors->InitTraversal();
-  while (vtkActor* actor = actors->GetNextActor())
-  {
-    actor->GetMapper()->Update();
-    auto surface = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
-    if (!surface)
-    {
-      continue;
-    }
-    file.AddPart(surface);
-    ModelPart& part = file.Parts.back();
-    TurnTextureCoordinates(part.Surface);
-    part.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-    part.Matrix->DeepCopy(actor->GetMatrix());
-    vtkProperty* material = actor->GetProperty();
-    double colour[3];
-    material->GetColor(colour);
-    std::transform(colour, colour + 3, colour, ToSRGB); // glTF's factors are linear
-    part.Property = MakePlainProperty(colour, material->GetOpacity());
-    if (vtkTexture* base = material->GetTexture("albedoTex"))
-    {
-      base->UseSRGBColorSpaceOff(); // nothing turns it back without physically based shading
-      part.Texture = base;
-    }
-  }
 }
 }

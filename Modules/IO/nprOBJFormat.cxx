@@ -157,12 +157,13 @@ private:
 
   ModelFile& File;
   std::filesystem::path Folder;
-  std::vector<std::array<float, 3>> Points;
+  std::vector<std::array<double, 3>> Points;
   std::vector<std::array<float, 2>> TextureCoordinates;
   std::vector<std::array<float, 3>> Normals;
   std::map<std::string, Material> Materials;
   bool HasLibrary = false; // one that could be read
   std::map<std::string, Group> Groups;
+  int PointType = VTK_FLOAT;
   Group* Current = nullptr;
   std::vector<vtkIdType> Face;
 };
@@ -179,12 +180,20 @@ void OBJParser::Parse()
       lines = line;
       if (keyword == "v" || keyword == "vn")
       {
-        std::array<float, 3> value;
+        std::array<double, 3> value;
         if (words.Numbers(value.data(), 3) < 3)
         {
           Fail(line, "a point or normal needs three numbers; the file is damaged or not an OBJ");
         }
-        (keyword == "v" ? this->Points : this->Normals).push_back(value);
+        if (keyword == "v")
+        {
+          this->Points.push_back(value);
+        }
+        else
+        {
+          this->Normals.push_back({ static_cast<float>(value[0]), static_cast<float>(value[1]),
+            static_cast<float>(value[2]) });
+        }
       }
       else if (keyword == "vt")
       {
@@ -208,6 +217,7 @@ void OBJParser::Parse()
         this->ParseLibraries(words);
       }
     });
+  this->PointType = NeedsDouble(this->Points) ? VTK_DOUBLE : VTK_FLOAT;
   for (const auto& [name, group] : this->Groups)
   {
     if (group.Polygons->GetNumberOfCells() > 0)
@@ -368,6 +378,7 @@ void OBJParser::AddPart(const Group& group, const Material* material)
 {
   const auto count = static_cast<vtkIdType>(group.Corners.size());
   vtkNew<vtkPoints> points;
+  points->SetDataType(this->PointType);
   points->SetNumberOfPoints(count);
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetName("TextureCoordinates");

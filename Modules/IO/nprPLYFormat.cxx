@@ -11,8 +11,11 @@
 #include <vtkPLYReader.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <iterator>
 #include <sstream>
 
@@ -30,7 +33,16 @@ struct PLYProperty
   int CountSize = 0; // bytes of a list's count, 0 where it is no list
   bool CountIsSigned = false;
   bool IsSigned = false;
+  bool IsReal = false;
 
+  // 0 .. 2 for a coordinate that a float may not hold, else -1.
+  int GetWideAxis() const
+  {
+    const bool isWide = this->IsReal && this->Size == 8 && this->CountSize == 0;
+    return isWide && this->Name.size() == 1 && this->Name >= "x" && this->Name <= "z"
+      ? this->Name[0] - 'x'
+      : -1;
+  }
   bool IsIndices() const
   {
     return this->CountSize > 0 && (this->Name == "vertex_indices" || this->Name == "vertex_index");
@@ -43,6 +55,11 @@ struct PLYElement
   long long Count = 0;
   std::vector<PLYProperty> Properties;
 
+  bool IsWide() const
+  {
+    return std::count_if(this->Properties.begin(), this->Properties.end(),
+             [](const PLYProperty& p) { return p.GetWideAxis() >= 0; }) == 3;
+  }
   bool Has(const char* name, bool asList) const
   {
     return std::any_of(this->Properties.begin(), this->Properties.end(),
@@ -99,9 +116,13 @@ public:
     return 0;
   }
 
+  /// All points, where the file has their coordinates in double precision, else none.
+  const std::vector<std::array<double, 3>>& GetWidePoints() const { return this->WidePoints; }
+
 private:
   void ReadHeader();
   void CheckElements() const;
+  void AddWidePoint(const PLYElement& element);
   bool SkipLine(const PLYElement& element);
   bool SkipBinary(const PLYElement& element);
   long long Decode(int size, bool isSigned);
@@ -112,6 +133,7 @@ private:
   bool IsAscii = false;
   bool IsBigEndian = false;
   std::vector<PLYElement> Elements;
+  std::vector<std::array<double, 3>> WidePoints;
 };
 
 void PLYCheck::ReadHeader()
@@ -154,6 +176,7 @@ void PLYCheck::ReadHeader()
       property.CountSize = isList ? TypeSize(words[2]) : 0;
       property.CountIsSigned = isList && words[2].front() != 'u';
       property.IsSigned = words[count - 2].front() != 'u';
+      property.IsReal = words[count - 2].front() == 'f' || words[count - 2].front() == 'd';
       if (property.IsIndices() && (property.Size > 4 || words[count - 2].front() == 'f'))
       {
         throw ModelError("its header gives indices the type '" + words[count - 2] +
@@ -219,6 +242,14 @@ void PLYCheck::CheckIndex(const PLYElement& element, long long index) const
   }
 }
 
+void PLYCheck::AddWidePoint(const PLYElement& element)
+{
+  if (element.Name == "vertex" && element.IsWide())
+  {
+    this->WidePoints.push_back({ 0.0, 0.0, 0.0 });
+  }
+}
+
 bool PLYCheck::SkipLine(const PLYElement& element)
 {
   const std::size_t end = std::min(this->Bytes.find('\n', this->At), this->Bytes.size());
@@ -242,6 +273,7 @@ bool PLYCheck::SkipLine(const PLYElement& element)
     }
     return word < at ? word : nullptr;
   };
+  this->AddWidePoint(element);
   for (const PLYProperty& property : element.Properties)
   {
     long long words = 1;
@@ -260,6 +292,11 @@ bool PLYCheck::SkipLine(const PLYElement& element)
       if (!word)
       {
         return false;
+      }
+      if (!this->WidePoints.empty() && element.Name == "vertex" && property.GetWideAxis() >= 0)
+      {
+        std::from_chars(word + (*word == '+' ? 1 : 0), at,
+          this->WidePoints.back()[static_cast<std::size_t>(property.GetWideAxis())]);
       }
       if (property.IsIndices())
       {
@@ -287,6 +324,7 @@ long long PLYCheck::Decode(int size, bool isSigned)
 bool PLYCheck::SkipBinary(const PLYElement& element)
 {
   const auto left = [this]() { return static_cast<long long>(this->Bytes.size() - this->At); };
+  this->AddWidePoint(element);
   for (const PLYProperty& property : element.Properties)
   {
     if (property.CountSize > left() || property.CountSize > 4)
@@ -298,6 +336,16 @@ bool PLYCheck::SkipBinary(const PLYElement& element)
     if (items < 0 || items * property.Size > left())
     {
       return false;
+    }
+    if (!this->WidePoints.empty() && element.Name == "vertex" && property.GetWideAxis() >= 0)
+    {
+      std::string bytes = this->Bytes.substr(this->At, 8);
+      if (this->IsBigEndian)
+      {
+        std::reverse(bytes.begin(), bytes.end());
+      }
+      std::memcpy(&this->WidePoints.back()[static_cast<std::size_t>(property.GetWideAxis())],
+        bytes.data(), 8);
     }
     if (!property.IsIndices())
     {
@@ -329,6 +377,17 @@ void ReadPLY(ModelFile& file)
   {
     throw ModelError("VTK took " + std::to_string(surface->GetNumberOfPoints()) + " of its " +
       std::to_string(check.GetCount("vertex")) + " points; the file is damaged, export it again");
+  }
+  if (NeedsDouble(check.GetWidePoints()))
+  {
+    vtkNew<vtkPoints> points; // VTK's reader makes floats of them
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(surface->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      points->SetPoint(i, check.GetWidePoints()[static_cast<std::size_t>(i)].data());
+    }
+    surface->SetPoints(points);
   }
   file.AddPart(surface);
 }

@@ -22,12 +22,13 @@
  * triangulated, not welded). The surface of a volume has the normals of its gradient and faces
  * towards smaller values; that of a level set (OpenVDB) faces outwards, towards larger ones. A
  * matrix that mirrors (a part's, or a scanner's) reverses the polygons, so that outside stays
- * outside. A volume of more than one value a voxel gives its first.
+ * outside. A volume of more than one value a voxel gives its first. Points of OBJ and PLY are
+ * doubles where they lie so far from the origin that floats would lose details.
  *
  * @par Materials
  * They become VTK's plain ones: the colour (or glTF's base colour, from linear to sRGB) is diffuse,
  * with coefficient 1, ambient 0 and Phong interpolation; physically based properties are left out.
- * Point colours (unsigned char, 3 or 4 components) are shown, other scalars not.
+ * Point colours (unsigned char, 3 or 4 components; those of glTF) are shown, other scalars not.
  *
  * @par Errors
  * One message for each failure, by vtkErrorMacro and GetErrorMessage(): which file, what is wrong
