@@ -138,6 +138,44 @@ vtkSmartPointer<vtkProperty> MakePlainProperty(const double diffuse[3], double o
 
 namespace
 {
+// VTK's PNG reader crashes on damaged bytes in memory, so its chunks and their sums are checked.
+bool IsSoundPNG(const std::string& bytes)
+{
+  const auto word = [&bytes](std::size_t at)
+  {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    }
+    return value;
+  };
+  if (bytes.compare(0, 8, "\x89PNG\r\n\x1A\n") != 0 || bytes.compare(12, 4, "IHDR") != 0)
+  {
+    return false;
+  }
+  for (std::size_t at = 8; at + 12 <= bytes.size();)
+  {
+    const std::size_t size = word(at);
+    if (size > bytes.size() - at - 12)
+    {
+      return false;
+    }
+    const auto sum = crc32(0, reinterpret_cast<const unsigned char*>(bytes.data()) + at + 4,
+      static_cast<unsigned int>(size + 4));
+    if (sum != word(at + 8 + size))
+    {
+      return false;
+    }
+    if (bytes.compare(at + 4, 4, "IEND") == 0)
+    {
+      return true;
+    }
+    at += size + 12;
+  }
+  return false;
+}
+
 // The texture of a reader that has its file or bytes; a damaged image is no reason to lose the
 // model.
 vtkSmartPointer<vtkTexture> MakeTexture(
@@ -184,7 +222,7 @@ vtkSmartPointer<vtkTexture> ReadTextureBytes(
   ModelFile& file, const std::string& bytes, const std::string& name)
 {
   vtkSmartPointer<vtkImageReader2> reader;
-  if (bytes.compare(0, 4, "\x89PNG") == 0)
+  if (bytes.size() > 16 && IsSoundPNG(bytes))
   {
     reader = vtkSmartPointer<vtkPNGReader>::New();
   }

@@ -186,6 +186,7 @@ GLTFDocument::GLTFDocument(const std::string& path) : FilePath(path)
   if (text.compare(0, 4, "glTF") == 0)
   {
     const std::string bytes = std::move(text);
+    text.clear();
     this->ReadBinary(bytes, text);
   }
   this->Root = nlohmann::json::parse(text, nullptr, false);
@@ -242,21 +243,25 @@ void GLTFDocument::ReadBinary(const std::string& bytes, std::string& text)
   }
 }
 
-// What is not required may be ignored.
-void GLTFDocument::CheckExtensions() const
+// What is not required may be ignored; so may what only changes the look.
+void GLTFDocument::CheckExtensions()
 {
   static const std::vector<std::string> known = { "KHR_lights_punctual", "KHR_mesh_quantization",
-    "KHR_texture_transform" };
+    "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit" };
   const GLTFElement required = this->GetRoot()["extensionsRequired"];
   for (std::size_t i = 0; i < required.Size(); ++i)
   {
     const std::string name = required.At(i).Text();
-    const bool isLook = name.compare(0, 14, "KHR_materials_") == 0;
-    if (!isLook && std::find(known.begin(), known.end(), name) == known.end())
+    if (std::find(known.begin(), known.end(), name) != known.end())
+    {
+      continue;
+    }
+    if (name.compare(0, 14, "KHR_materials_") != 0 && name.compare(0, 13, "KHR_technique") != 0)
     {
       throw ModelError(
         "it uses " + Printable(name.substr(0, 60)) + ", which is not supported; export it without");
     }
+    this->IgnoredExtensions.push_back(Printable(name.substr(0, 60)));
   }
 }
 

@@ -64,6 +64,8 @@ public:
   /// Reads the JSON; throws where it is none, not glTF 2, or requires an unknown extension.
   explicit GLTFDocument(const std::string& path);
 
+  /// Those that it requires and that change its look alone.
+  const std::vector<std::string>& GetIgnoredExtensions() const { return this->IgnoredExtensions; }
   GLTFElement GetRoot() const { return GLTFElement(&this->Root, ""); }
   /// The element of an array of the root that reference, an index, names.
   std::size_t FindIndex(const char* array, const GLTFElement& reference) const;
@@ -89,7 +91,7 @@ private:
     std::size_t Size = 0;
   };
   void ReadBinary(const std::string& bytes, std::string& text);
-  void CheckExtensions() const;
+  void CheckExtensions();
   Span GetView(const GLTFElement& view);
   const std::string& GetBuffer(std::size_t index);
   // Adds count tuples, each of so many components, from a view.
@@ -100,6 +102,7 @@ private:
 
   std::string FilePath;
   nlohmann::json Root;
+  std::vector<std::string> IgnoredExtensions;
   std::string BinaryChunk;
   bool HasBinaryChunk = false;
   std::map<std::size_t, std::string> Buffers;

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 namespace npr
@@ -122,6 +121,10 @@ vtkSmartPointer<vtkMatrix4x4> ReadMatrix(const GLTFElement& node)
 
 void GLTFParser::Parse()
 {
+  for (const std::string& name : this->Document.GetIgnoredExtensions())
+  {
+    this->Warn("It uses " + name + ", which is not supported; its look may differ.");
+  }
   const GLTFElement root = this->Document.GetRoot();
   const GLTFElement nodes = root["nodes"];
   std::vector<std::size_t> roots;
@@ -199,6 +202,14 @@ void GLTFParser::AddNode(const GLTFElement& node, vtkMatrix4x4* matrix)
   }
   const std::size_t index = this->Document.FindIndex("meshes", node["mesh"]);
   const GLTFElement mesh = this->Document.GetRoot()["meshes"].At(index);
+  const GLTFElement weights = node.Has("weights") ? node["weights"] : mesh["weights"];
+  for (std::size_t i = 0; i < weights.Size(); ++i)
+  {
+    if (weights.At(i).Number() != 0.0)
+    {
+      this->Warn("Morph targets are not supported: the model is shown without them.");
+    }
+  }
   for (const ModelPart& part : this->GetMesh(mesh, index))
   {
     this->File.AddPart(part.Surface);

@@ -176,6 +176,26 @@ void TestImages(const std::string& folder)
   }
 }
 
+// Extensions that only change the look, and shapes that move, are read as far as possible.
+void TestLeftOut(const std::string& folder)
+{
+  const std::string path = folder + "/TriangleLeftOut.gltf";
+  const std::pair<std::string, const char*> cases[] = {
+    { With(Good, "\"extensionsRequired\":[]", "\"extensionsRequired\":[\"KHR_materials_sheen\"]"),
+      "KHR_materials_sheen" },
+    { With(Good, "{\"mesh\":0", "{\"mesh\":0,\"skin\":0"), "Skins" },
+    { With(Good, "{\"mesh\":0", "{\"mesh\":0,\"weights\":[0,1]"), "Morph" },
+  };
+  for (const auto& [text, word] : cases)
+  {
+    model_files::WriteText(path, text);
+    vtkNew<vtkNPRModelImporter> importer;
+    importer->SetFileName(path.c_str());
+    Expect(importer->Read() && std::strstr(importer->GetWarnings(), word),
+      std::string(word) + " is a warning, but it is: " + importer->GetWarnings());
+  }
+}
+
 // Beside 1e8 a float has steps of 8.
 void TestFarAway(const std::string& folder)
 {
@@ -219,6 +239,7 @@ int TestGLTFModels(int argc, char* argv[])
   TestGood(folder);
   TestWrong(folder);
   TestImages(folder);
+  TestLeftOut(folder);
   TestFarAway(folder);
   vtkOutputWindow::SetInstance(nullptr);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
