@@ -66,6 +66,7 @@ void MakeLines(const LinesOptions& options, Reporter& reporter)
     throw CommandError(UsageError, options.Output + ": lines are written as .vtp");
   }
   CheckWritable(options.Output);
+  options.View.Parse();
   // All styles have the same lines; how a style draws them plays no part.
   vtkNew<vtkNPRIllustrationStyle> style;
   StyleOptions styleOptions;

@@ -204,6 +204,18 @@ int ModelOptions::GetUpAxis() const
 }
 
 //------------------------------------------------------------------------------
+double ModelOptions::GetFrontAzimuth() const
+{
+  if (this->Files.empty())
+  {
+    return 0.0;
+  }
+  vtkNew<vtkNPRModelImporter> importer;
+  importer->SetFileName(this->Files.front().c_str());
+  return importer->GetFrontAzimuth();
+}
+
+//------------------------------------------------------------------------------
 void ViewOptions::AddTo(CLI::App& command)
 {
   command.add_option("--size", this->Size, "Size of the image in pixels, WxH")
@@ -313,6 +325,7 @@ void ViewOptions::Apply(vtkRenderer* renderer, const ModelOptions& models) const
   {
     viewpoint->SetViewByName(view.Name);
   }
+  viewpoint->SetAzimuth(viewpoint->GetAzimuth() + models.GetFrontAzimuth());
   viewpoint->Apply(renderer);
 }
 }

@@ -43,6 +43,8 @@ struct ModelOptions
   void Import(vtkRenderer* renderer, Reporter& reporter) const;
   /// Which axis is up by the custom of the files' formats; y where they differ.
   int GetUpAxis() const;
+  /// From where the first model is seen from the front, by its kind.
+  double GetFrontAzimuth() const;
 };
 
 /// What the words of ViewOptions mean.

@@ -71,6 +71,7 @@ struct FileFormat
   bool IsVolume; // takes an iso value
   int UpAxis;    // which axis points up by the custom of those who write it: 0, 1 or 2
   void (*Read)(ModelFile&);
+  double FrontAzimuth = 0.0; // degrees around the up axis to where the front is seen from
 };
 
 const std::vector<FileFormat>& GetFileFormats();

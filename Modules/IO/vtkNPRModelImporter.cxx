@@ -319,6 +319,12 @@ int vtkNPRModelImporter::GetUpAxis() const
   return format ? format->UpAxis : 1;
 }
 
+double vtkNPRModelImporter::GetFrontAzimuth() const
+{
+  const npr::FileFormat* format = this->FileName ? npr::FindFileFormat(this->FileName) : nullptr;
+  return format ? format->FrontAzimuth : 0.0;
+}
+
 const char* vtkNPRModelImporter::GetErrorMessage() const
 {
   return this->Internal->ErrorMessage.c_str();

@@ -114,6 +114,10 @@ public:
   /// others and for a name that is not known. Nothing is read for it.
   int GetUpAxis() const;
 
+  /// How far, in degrees, a viewer goes around the up axis from vtkNPRViewpoint's front to see the
+  /// front of such files' subjects: 180 for NIfTI, where +Y is the front of the body, else 0.
+  double GetFrontAzimuth() const;
+
   /// Why the last Read() failed, in one line; empty if it did not.
   const char* GetErrorMessage() const;
 
