@@ -5,7 +5,7 @@
 set(NPR_VTK_COMPONENTS
   CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersGeneral FiltersGeometry
-  IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
+  IOGeometry IOImage IOLegacy IOPLY IOXML
   ImagingCore ImagingGeneral
   RenderingCore RenderingOpenGL2 RenderingUI
   vtksys zlib)

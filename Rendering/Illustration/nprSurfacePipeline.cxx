@@ -27,6 +27,7 @@ namespace npr
 namespace
 {
 constexpr double EventsPerFilter = 3.0; // that Watch() observes
+constexpr double SeamTolerance = 1e-6;  // of the length scale: the rounding of floats
 
 double ComputeMeanEdge(vtkPolyData* surface)
 {
@@ -87,7 +88,14 @@ void SurfacePipeline::SetInputConnection(vtkAlgorithmOutput* surface)
 void SurfacePipeline::Tune(const GeometryStyle& geometry, double unit, bool refine)
 {
   this->Preparation->SetCreaseAngle(geometry.CreaseAngle);
+  this->Preparation->SetWeldTolerance(0.0);
   this->Preparation->Update();
+  if (this->Preparation->GetNumberOfBoundaryEdges() > 0)
+  {
+    // Perhaps a seam whose two sides were computed in two ways; looking for that takes longer.
+    this->Preparation->SetWeldTolerance(SeamTolerance);
+    this->Preparation->Update();
+  }
   const double scale = this->GetLengthScale();
   const double unitOfScale = scale > 0.0 ? unit / scale : 0.0;
   this->Tensor->SetSmoothingRadius(geometry.Smoothing * unitOfScale);
