@@ -7,6 +7,7 @@
 #include <vtkLightCollection.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
+#include <vtkTexture.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -16,6 +17,8 @@ int TestIllustrationRemove(int, char*[])
   vtkNew<vtkSphereSource> sphere;
   npr::TestScene scene(sphere->GetOutputPort());
   scene.Actor->GetProperty()->SetColor(0.8, 0.3, 0.2);
+  vtkNew<vtkTexture> texture;
+  scene.Actor->SetTexture(texture);
   vtkNew<vtkLight> light;
   light->SetPosition(1.0, 2.0, 3.0);
   scene.Renderer->AddLight(light);
@@ -40,7 +43,7 @@ int TestIllustrationRemove(int, char*[])
   scene.Illustration->Remove();
   const auto after = scene.Render();
   if (npr::ComputeLargestDifference(before, after) != 0 ||
-    scene.Actor->GetMapper() != scene.Mapper ||
+    scene.Actor->GetMapper() != scene.Mapper || scene.Actor->GetTexture() != texture ||
     scene.Renderer->GetActors()->GetNumberOfItems() != 1 ||
     scene.Renderer->GetLights()->GetNumberOfItems() != 1 || scene.Renderer->GetPass())
   {
