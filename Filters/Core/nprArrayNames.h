@@ -25,13 +25,19 @@ inline constexpr const char* PrincipalDirection2 = "PrincipalDirection2"; // 3, 
 inline constexpr const char* MeanCurvature = "MeanCurvature";             // 1, 1/length
 inline constexpr const char* GaussianCurvature = "GaussianCurvature";     // 1, 1/length^2
 inline constexpr const char* CurvatureDerivatives =
-  "CurvatureDerivatives";                                   // 4, P Q S T; 1/length^2
-inline constexpr const char* BorderPoints = "BorderPoints"; // 1, 1 on a border, else 0
+  "CurvatureDerivatives";                                           // 4, P Q S T; 1/length^2
+inline constexpr const char* ShapeIndex = "ShapeIndex";             // 1, in [-1, 1]: cup to cap
+inline constexpr const char* Curvedness = "Curvedness";             // 1, 1/length
+inline constexpr const char* PointArea = "PointArea";               // 1, length^2
+inline constexpr const char* BorderPoints = "BorderPoints";         // 1, 1 on a border, else 0
+inline constexpr const char* UnknownCurvature = "UnknownCurvature"; // 1, 1 without estimate, else 0
 /// The point of the welded surface that a point is a copy of, where the preparation split a crease.
 inline constexpr const char* WeldedPointIds = "WeldedPointIds"; // 1
 
 // Field data of surfaces.
 inline constexpr const char* LengthScale = "LengthScale"; // 1 tuple; length
+/// What an automatic neighbourhood came to; where the input has it, it holds.
+inline constexpr const char* NeighbourhoodRadius = "NeighbourhoodRadius"; // 1 tuple; edge lengths
 
 // Arrays of lines and strokes.
 inline constexpr const char* LineType = "LineType";           // cells, 1, index into LineTypeNames

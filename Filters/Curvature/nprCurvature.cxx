@@ -136,7 +136,8 @@ PrincipalFrame Diagonalise(const SymmetricTensor& tensor, const Vector3d& normal
 }
 
 //------------------------------------------------------------------------------
-Tuples<6> ComputeCurvatureTensors(const TriangleMesh& mesh, const Tuples<3>& normals)
+Tuples<6> ComputeCurvatureTensors(
+  const TriangleMesh& mesh, const Tuples<3>& normals, std::vector<unsigned char>& unknown)
 {
   std::vector<FaceForm> forms(mesh.GetNumberOfTriangles());
   vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
@@ -149,6 +150,7 @@ Tuples<6> ComputeCurvatureTensors(const TriangleMesh& mesh, const Tuples<3>& nor
     });
 
   Tuples<6> tensors(mesh.GetNumberOfPoints());
+  unknown.assign(mesh.GetNumberOfPoints(), 1);
   vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -175,11 +177,38 @@ Tuples<6> ComputeCurvatureTensors(const TriangleMesh& mesh, const Tuples<3>& nor
         if (area > 0.0)
         {
           sum /= area;
+          unknown[i] = 0;
         }
         tensors[i] = sum.cast<float>();
       }
     });
   return tensors;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> ComputePointAreas(const TriangleMesh& mesh)
+{
+  std::vector<float> areas(mesh.GetNumberOfPoints());
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Index point = static_cast<Index>(i);
+        double sum = 0.0;
+        for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+        {
+          const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
+          const FaceFrame face(mesh, corners);
+          if (face.Area > 0.0)
+          {
+            sum += face.GetCornerAreas()[corners[0] == point ? 0 : (corners[1] == point ? 1 : 2)];
+          }
+        }
+        areas[i] = static_cast<float>(sum);
+      }
+    });
+  return areas;
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #include "vtkNPRFiltersCurvatureModule.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace npr
@@ -65,9 +66,14 @@ VTKNPRFILTERSCURVATURE_EXPORT PrincipalFrame Diagonalise(
  * known.
  *
  * @param normals unit normals, one for each point
+ * @param[out] unknown 1 for each point where nothing is known, else 0
  */
 VTKNPRFILTERSCURVATURE_EXPORT Tuples<6> ComputeCurvatureTensors(
-  const TriangleMesh& mesh, const Tuples<3>& normals);
+  const TriangleMesh& mesh, const Tuples<3>& normals, std::vector<unsigned char>& unknown);
+
+/// Mixed Voronoi areas of the points (needs the incidence); length^2. They add up to the surface's
+/// area.
+VTKNPRFILTERSCURVATURE_EXPORT std::vector<float> ComputePointAreas(const TriangleMesh& mesh);
 
 /// Principal curvatures and directions of a whole surface.
 struct PrincipalFrames
@@ -77,6 +83,22 @@ struct PrincipalFrames
   Tuples<3> E1;
   Tuples<3> E2;
 };
+
+/// J. J. Koenderink, A. J. van Doorn, "Surface shape and curvature scales", Image and Vision
+/// Computing 10(8), 1992: the kind of shape, from -1 (cup) by -0.5 (valley), 0 (saddle) and 0.5
+/// (ridge) to 1 (cap). On planes, where it is not defined, 0.
+inline float ComputeShapeIndex(float k1, float k2)
+{
+  return k1 == 0.0f && k2 == 0.0f
+    ? 0.0f
+    : 0.6366197724f * std::atan2(k1 + k2, std::abs(k1 - k2)); // 2 / pi
+}
+
+/// Koenderink and van Doorn 1992: how much shape there is, whatever its kind; 1/length.
+inline float ComputeCurvedness(float k1, float k2)
+{
+  return std::hypot(k1, k2) * 0.7071067812f;
+}
 
 VTKNPRFILTERSCURVATURE_EXPORT PrincipalFrames ComputePrincipalFrames(
   const Tuples<6>& tensors, const Tuples<3>& normals);

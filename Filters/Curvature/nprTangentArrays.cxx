@@ -18,23 +18,42 @@ vtkDataArray* FindNormals(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tuples<3>& normals)
+void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tuples<3>& normals,
+  const CurvatureArrays& wanted)
 {
   const PrincipalFrames frames = ComputePrincipalFrames(tensors, normals);
-  std::vector<float> mean(tensors.size());
-  std::vector<float> gaussian(tensors.size());
-  for (std::size_t i = 0; i < tensors.size(); ++i)
-  {
-    mean[i] = 0.5f * (frames.K1[i] + frames.K2[i]);
-    gaussian[i] = frames.K1[i] * frames.K2[i];
-  }
   vtkPointData* pointData = surface->GetPointData();
-  pointData->AddArray(MakeArray<6>(names::CurvatureTensor, tensors));
-  pointData->AddArray(MakeArray(names::PrincipalCurvature1, frames.K1));
-  pointData->AddArray(MakeArray(names::PrincipalCurvature2, frames.K2));
-  pointData->AddArray(MakeArray<3>(names::PrincipalDirection1, frames.E1));
-  pointData->AddArray(MakeArray<3>(names::PrincipalDirection2, frames.E2));
-  pointData->AddArray(MakeArray(names::MeanCurvature, mean));
-  pointData->AddArray(MakeArray(names::GaussianCurvature, gaussian));
+  const auto addValues = [&](bool isWanted, const char* name, const auto& compute)
+  {
+    if (isWanted)
+    {
+      std::vector<float> values(tensors.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        values[i] = compute(frames.K1[i], frames.K2[i]);
+      }
+      pointData->AddArray(MakeArray(name, values));
+    }
+  };
+  if (wanted.Tensor)
+  {
+    pointData->AddArray(MakeArray<6>(names::CurvatureTensor, tensors));
+  }
+  if (wanted.PrincipalCurvatures)
+  {
+    pointData->AddArray(MakeArray(names::PrincipalCurvature1, frames.K1));
+    pointData->AddArray(MakeArray(names::PrincipalCurvature2, frames.K2));
+  }
+  if (wanted.PrincipalDirections)
+  {
+    pointData->AddArray(MakeArray<3>(names::PrincipalDirection1, frames.E1));
+    pointData->AddArray(MakeArray<3>(names::PrincipalDirection2, frames.E2));
+  }
+  addValues(wanted.MeanCurvature, names::MeanCurvature,
+    [](float k1, float k2) { return 0.5f * (k1 + k2); });
+  addValues(
+    wanted.GaussianCurvature, names::GaussianCurvature, [](float k1, float k2) { return k1 * k2; });
+  addValues(wanted.ShapeIndex, names::ShapeIndex, ComputeShapeIndex);
+  addValues(wanted.Curvedness, names::Curvedness, ComputeCurvedness);
 }
 }

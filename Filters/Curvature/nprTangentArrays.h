@@ -20,9 +20,21 @@ namespace npr
 /// The surface's active normals, else its array "Normals", else null.
 vtkDataArray* FindNormals(vtkPolyData* surface);
 
-/// Adds the tensor and all that follows from it: the principal curvatures and directions, the mean
-/// and the Gaussian curvature.
-void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tuples<3>& normals);
+/// Which arrays are wanted of those that follow from the second fundamental form.
+struct CurvatureArrays
+{
+  bool Tensor = true;
+  bool PrincipalCurvatures = true;
+  bool PrincipalDirections = true;
+  bool MeanCurvature = true;
+  bool GaussianCurvature = true;
+  bool ShapeIndex = false;
+  bool Curvedness = false;
+};
+
+/// Adds what is wanted.
+void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tuples<3>& normals,
+  const CurvatureArrays& wanted = CurvatureArrays());
 }
 
 #endif

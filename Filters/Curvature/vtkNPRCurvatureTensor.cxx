@@ -4,6 +4,8 @@
 
 #include "nprArrayNames.h"
 #include "nprCurvature.h"
+#include "nprCurvatureDerivatives.h"
+#include "nprFaceCurvature.h"
 #include "nprLengthScale.h"
 #include "nprSurfaceDiffusion.h"
 #include "nprSurfaceNormals.h"
@@ -11,17 +13,102 @@
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
 
 vtkStandardNewMacro(vtkNPRCurvatureTensor);
+
+namespace
+{
+constexpr std::array<const char*, 1> EstimatorNames = { "per-face" };
+
+/// The estimate in the tangent planes of other normals, for users who bring theirs.
+void TurnTo(const npr::Tuples<3>& normals, npr::CurvatureEstimate& estimate)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(normals.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Eigen::Vector3d from = estimate.Normals[i].cast<double>();
+        const Eigen::Vector3d to = normals[i].cast<double>();
+        const npr::MinimalRotation rotation(from, to);
+        if (!rotation.IsValid())
+        {
+          continue;
+        }
+        const npr::TangentFrame frame = npr::MakeTangentFrame(from);
+        const npr::TangentFrame turned = rotation(frame);
+        const Eigen::Vector3d form = npr::ToFrame(estimate.Tensors[i].cast<double>(), frame);
+        estimate.Tensors[i] = npr::FromFrame(form, turned).cast<float>();
+        if (!estimate.Derivatives.empty())
+        {
+          estimate.Derivatives[i] = npr::ChangeFrame(
+            estimate.Derivatives[i].cast<double>(), turned, npr::MakeTangentFrame(to))
+                                      .cast<float>();
+        }
+        estimate.Normals[i] = normals[i];
+      }
+    });
+}
+
+/// P, Q, S, T from the derivatives over MakeTangentFrame(normal).
+npr::Tuples<4> ToPrincipalFrames(const npr::CurvatureEstimate& estimate)
+{
+  npr::Tuples<4> derivatives(estimate.Derivatives.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(derivatives.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Eigen::Vector3d normal = estimate.Normals[i].cast<double>();
+        const npr::PrincipalFrame frame =
+          npr::Diagonalise(estimate.Tensors[i].cast<double>(), normal);
+        derivatives[i] = npr::ChangeFrame(estimate.Derivatives[i].cast<double>(),
+          npr::MakeTangentFrame(normal), { frame.E1, frame.E2 })
+                           .cast<float>();
+      }
+    });
+  return derivatives;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkNPRCurvatureTensor::vtkNPRCurvatureTensor() = default;
 vtkNPRCurvatureTensor::~vtkNPRCurvatureTensor() = default;
+
+//------------------------------------------------------------------------------
+int vtkNPRCurvatureTensor::GetNumberOfEstimators()
+{
+  return static_cast<int>(EstimatorNames.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNPRCurvatureTensor::GetEstimatorName(int estimator)
+{
+  return estimator >= 0 && estimator < GetNumberOfEstimators() ? EstimatorNames[estimator]
+                                                               : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkNPRCurvatureTensor::FindEstimator(const char* name)
+{
+  const auto found = std::find_if(EstimatorNames.begin(), EstimatorNames.end(),
+    [name](const char* known) { return name && std::strcmp(name, known) == 0; });
+  return found == EstimatorNames.end() ? -1 : static_cast<int>(found - EstimatorNames.begin());
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<npr::CurvatureEstimator> vtkNPRCurvatureTensor::MakeEstimator() const
+{
+  return std::make_unique<npr::FaceCurvature>();
+}
 
 //------------------------------------------------------------------------------
 int vtkNPRCurvatureTensor::RequestData(
@@ -36,25 +123,73 @@ int vtkNPRCurvatureTensor::RequestData(
   }
   npr::TriangleMesh mesh(input);
   mesh.BuildIncidence();
-  const npr::Tuples<3> normals = npr::GetUnitNormals(mesh, npr::FindNormals(input));
-  this->UpdateProgress(0.3);
-  npr::Tuples<6> tensors = npr::ComputeCurvatureTensors(mesh, normals);
+  vtkDataArray* const given = npr::FindNormals(input);
+  const npr::Tuples<3> normals = npr::GetUnitNormals(mesh, given);
+  const auto estimator = this->MakeEstimator();
+  npr::CurvatureEstimate estimate =
+    estimator->Estimate(mesh, normals, this->OutputDerivatives, npr::ReportTo(this, 0.2, 0.8));
+  if (npr::IsAborted(this))
+  {
+    output->ShallowCopy(input);
+    return 1;
+  }
+  if (given && estimator->FindsNormals())
+  {
+    TurnTo(normals, estimate);
+  }
   if (this->SmoothingRadius > 0.0)
   {
-    this->UpdateProgress(0.5);
-    npr::SurfaceDiffusion(mesh, normals)
-      .SmoothTensors(tensors, this->SmoothingRadius * npr::GetLengthScale(input));
+    const npr::SurfaceDiffusion diffusion(mesh, estimate.Normals);
+    const double radius = this->SmoothingRadius * npr::GetLengthScale(input, mesh);
+    diffusion.SmoothTensors(estimate.Tensors, radius);
+    if (this->OutputDerivatives)
+    {
+      npr::Tuples<3> u(estimate.Normals.size());
+      for (std::size_t i = 0; i < u.size(); ++i)
+      {
+        u[i] = npr::MakeTangentFrame(estimate.Normals[i].cast<double>()).U.cast<float>();
+      }
+      diffusion.SmoothCubics(estimate.Derivatives, u, radius);
+    }
   }
-  this->UpdateProgress(0.8);
-  output->GetPointData()->SetNormals(npr::MakeArray<3>(npr::names::Normals, normals));
-  npr::AddCurvatureArrays(output, tensors, normals);
+  this->UpdateProgress(0.9);
 
-  const std::vector<unsigned char> border = npr::ComputeBorderPoints(mesh);
-  vtkNew<vtkUnsignedCharArray> borderPoints;
-  borderPoints->SetName(npr::names::BorderPoints);
-  borderPoints->SetNumberOfTuples(static_cast<vtkIdType>(border.size()));
-  std::copy(border.begin(), border.end(), borderPoints->GetPointer(0));
-  output->GetPointData()->AddArray(borderPoints);
+  vtkPointData* const pointData = output->GetPointData();
+  if (this->OutputNormals)
+  {
+    pointData->SetNormals(npr::MakeArray<3>(npr::names::Normals, estimate.Normals));
+  }
+  npr::AddCurvatureArrays(output, estimate.Tensors, estimate.Normals,
+    { this->OutputTensor, this->OutputPrincipalCurvatures, this->OutputPrincipalDirections,
+      this->OutputMeanCurvature, this->OutputGaussianCurvature, this->OutputShapeIndex,
+      this->OutputCurvedness });
+  if (this->OutputDerivatives)
+  {
+    pointData->AddArray(
+      npr::MakeArray<4>(npr::names::CurvatureDerivatives, ToPrincipalFrames(estimate)));
+  }
+  if (this->OutputPointArea)
+  {
+    pointData->AddArray(npr::MakeArray(npr::names::PointArea, npr::ComputePointAreas(mesh)));
+  }
+  if (this->OutputBorderPoints)
+  {
+    pointData->AddArray(
+      npr::MakeFlagArray(npr::names::BorderPoints, npr::ComputeBorderPoints(mesh)));
+  }
+  if (this->OutputUnknownCurvature)
+  {
+    pointData->AddArray(npr::MakeFlagArray(npr::names::UnknownCurvature, estimate.Unknown));
+  }
+  const auto unknown = std::count(estimate.Unknown.begin(), estimate.Unknown.end(), 1);
+  if (unknown > 0)
+  {
+    vtkWarningMacro("There is no curvature at "
+      << unknown << " of " << estimate.Unknown.size()
+      << " points, which have no triangle with an area: it is zero there, and the array "
+      << npr::names::UnknownCurvature
+      << " says where. vtkNPRSurfacePreparation drops such points.");
+  }
   return 1;
 }
 
@@ -62,5 +197,18 @@ int vtkNPRCurvatureTensor::RequestData(
 void vtkNPRCurvatureTensor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Estimator: " << GetEstimatorName(this->Estimator) << "\n";
   os << indent << "SmoothingRadius: " << this->SmoothingRadius << "\n";
+  os << indent << "OutputNormals: " << this->OutputNormals << "\n";
+  os << indent << "OutputTensor: " << this->OutputTensor << "\n";
+  os << indent << "OutputPrincipalCurvatures: " << this->OutputPrincipalCurvatures << "\n";
+  os << indent << "OutputPrincipalDirections: " << this->OutputPrincipalDirections << "\n";
+  os << indent << "OutputMeanCurvature: " << this->OutputMeanCurvature << "\n";
+  os << indent << "OutputGaussianCurvature: " << this->OutputGaussianCurvature << "\n";
+  os << indent << "OutputDerivatives: " << this->OutputDerivatives << "\n";
+  os << indent << "OutputShapeIndex: " << this->OutputShapeIndex << "\n";
+  os << indent << "OutputCurvedness: " << this->OutputCurvedness << "\n";
+  os << indent << "OutputPointArea: " << this->OutputPointArea << "\n";
+  os << indent << "OutputBorderPoints: " << this->OutputBorderPoints << "\n";
+  os << indent << "OutputUnknownCurvature: " << this->OutputUnknownCurvature << "\n";
 }

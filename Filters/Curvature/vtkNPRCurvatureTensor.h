@@ -2,22 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNPRCurvatureTensor
- * @brief Estimates the curvature of a triangle mesh.
+ * @brief Estimates the curvature of a triangle mesh, and how it changes along the surface.
  *
  * A sphere of radius r with outward normals has the curvature +1/r: convex is positive. The output
- * has the point arrays CurvatureTensor (6, in space, XX YY ZZ XY YZ XZ), PrincipalCurvature1 and
- * PrincipalCurvature2 (the first has the larger magnitude), PrincipalDirection1 and
- * PrincipalDirection2 (unit; the first x the second = the normal; at an umbilic arbitrary),
- * MeanCurvature, GaussianCurvature, and BorderPoints (1 where the estimate is one-sided: at
- * borders, at creases that the preparation has split, and at edges with more than two triangles).
+ * has point arrays, each of which can be switched off:
+ *
+ * | array | components, unit | |
+ * | --- | --- | --- |
+ * | Normals | 3, unit vectors | what all else refers to |
+ * | CurvatureTensor | 6, 1/length | second fundamental form in space: XX YY ZZ XY YZ XZ |
+ * | PrincipalCurvature1, PrincipalCurvature2 | 1, 1/length | the first has the larger magnitude |
+ * | PrincipalDirection1, PrincipalDirection2 | 3, unit vectors | first x second = normal; arbitrary
+ * at umbilics |
+ * | MeanCurvature | 1, 1/length | half the sum of the principal curvatures |
+ * | GaussianCurvature | 1, 1/length^2 | their product |
+ * | CurvatureDerivatives | 4, 1/length^2 | P, Q, S, T: the derivatives of the first principal
+ * curvature along the first and the second direction, then of the second one; all change sign when
+ * the directions are turned over |
+ * | ShapeIndex | 1 | cup -1, valley -0.5, saddle 0, ridge 0.5, cap 1 (Koenderink, van Doorn 1992);
+ * off by default |
+ * | Curvedness | 1, 1/length | root mean square of the principal curvatures; off by default |
+ * | PointArea | 1, length^2 | the point's share of the surface (mixed Voronoi area, Meyer et al.
+ * 2002); off by default |
+ * | BorderPoints | 1 | 1 where the estimate is one-sided: at borders, at creases that the
+ * preparation has split, and at edges with more than two triangles |
+ * | UnknownCurvature | 1 | 1 where there is no estimate, and all curvatures are zero; a warning
+ * counts them |
  *
  * The input's normals (the active ones, else the array "Normals") are used as they are; what is
- * missing or not finite is computed as vtkNPRSurfaceNormals does, and the output has all normals.
- *
- * S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004,
- * with the mixed Voronoi areas of M. Meyer et al., "Discrete Differential-Geometry Operators for
- * Triangulated 2-Manifolds", VisMath 2002. It converges with the square of the edge length on
- * regular meshes; on irregular ones the error stalls at a few per cent: see SmoothingRadius.
+ * missing or not finite is computed as vtkNPRSurfaceNormals does, or found by the estimator.
  * @sa vtkNPRSurfaceNormals vtkNPRCurvatureDerivatives
  */
 #ifndef vtkNPRCurvatureTensor_h
@@ -26,6 +39,15 @@
 #include "vtkNPRFiltersCurvatureModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
+#ifndef __VTK_WRAP__
+#include "nprVTKCompat.h"
+#include <memory>
+namespace npr
+{
+class CurvatureEstimator;
+}
+#endif
+
 class VTKNPRFILTERSCURVATURE_EXPORT vtkNPRCurvatureTensor : public vtkPolyDataAlgorithm
 {
 public:
@@ -33,13 +55,77 @@ public:
   vtkTypeMacro(vtkNPRCurvatureTensor, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// How curvature is estimated.
+  enum EstimatorType
+  {
+    /// From the triangles at a point (Rusinkiewicz 2004). The fastest; it converges with the square
+    /// of the edge length on regular meshes, and stalls at a few per cent on irregular ones, where
+    /// the derivatives do not converge at all.
+    PER_FACE = 0
+  };
   ///@{
-  /// Standard deviation of a smoothing of the curvature tensor along the surface, as a fraction of
-  /// the surface's length scale (see nprSurfaceDiffusion.h). Nothing flows across creases that the
-  /// preparation has split. 0 (the default) does not smooth; useful values go up to about 0.1. The
-  /// work grows with the square of radius / edge length, and ends at 1000 steps.
+  /// Default is PER_FACE.
+  vtkSetClampMacro(Estimator, int, PER_FACE, PER_FACE);
+  vtkGetMacro(Estimator, int);
+  void SetEstimatorToPerFace() { this->SetEstimator(PER_FACE); }
+  ///@}
+
+  /// The estimators by the names that users write, such as "per-face".
+  static int GetNumberOfEstimators();
+  /// Null for a number that no estimator has.
+  static const char* GetEstimatorName(int estimator);
+  /// -1 for a name that no estimator has.
+  static int FindEstimator(const char* name);
+
+  ///@{
+  /// Standard deviation of a smoothing of the curvature tensor and its derivatives along the
+  /// surface, as a fraction of the surface's length scale (see nprSurfaceDiffusion.h). Nothing
+  /// flows across creases that the preparation has split. 0 (the default) does not smooth; useful
+  /// values go up to about 0.1. The work grows with the square of radius / edge length, and ends at
+  /// 1000 steps.
   vtkSetClampMacro(SmoothingRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SmoothingRadius, double);
+  ///@}
+
+  /// @name Which arrays the output gets
+  /// On by default but for ShapeIndex, Curvedness and PointArea.
+  ///@{
+  vtkSetMacro(OutputNormals, bool);
+  vtkGetMacro(OutputNormals, bool);
+  vtkBooleanMacro(OutputNormals, bool);
+  vtkSetMacro(OutputTensor, bool);
+  vtkGetMacro(OutputTensor, bool);
+  vtkBooleanMacro(OutputTensor, bool);
+  vtkSetMacro(OutputPrincipalCurvatures, bool);
+  vtkGetMacro(OutputPrincipalCurvatures, bool);
+  vtkBooleanMacro(OutputPrincipalCurvatures, bool);
+  vtkSetMacro(OutputPrincipalDirections, bool);
+  vtkGetMacro(OutputPrincipalDirections, bool);
+  vtkBooleanMacro(OutputPrincipalDirections, bool);
+  vtkSetMacro(OutputMeanCurvature, bool);
+  vtkGetMacro(OutputMeanCurvature, bool);
+  vtkBooleanMacro(OutputMeanCurvature, bool);
+  vtkSetMacro(OutputGaussianCurvature, bool);
+  vtkGetMacro(OutputGaussianCurvature, bool);
+  vtkBooleanMacro(OutputGaussianCurvature, bool);
+  vtkSetMacro(OutputDerivatives, bool);
+  vtkGetMacro(OutputDerivatives, bool);
+  vtkBooleanMacro(OutputDerivatives, bool);
+  vtkSetMacro(OutputShapeIndex, bool);
+  vtkGetMacro(OutputShapeIndex, bool);
+  vtkBooleanMacro(OutputShapeIndex, bool);
+  vtkSetMacro(OutputCurvedness, bool);
+  vtkGetMacro(OutputCurvedness, bool);
+  vtkBooleanMacro(OutputCurvedness, bool);
+  vtkSetMacro(OutputPointArea, bool);
+  vtkGetMacro(OutputPointArea, bool);
+  vtkBooleanMacro(OutputPointArea, bool);
+  vtkSetMacro(OutputBorderPoints, bool);
+  vtkGetMacro(OutputBorderPoints, bool);
+  vtkBooleanMacro(OutputBorderPoints, bool);
+  vtkSetMacro(OutputUnknownCurvature, bool);
+  vtkGetMacro(OutputUnknownCurvature, bool);
+  vtkBooleanMacro(OutputUnknownCurvature, bool);
   ///@}
 
 protected:
@@ -52,7 +138,24 @@ private:
   vtkNPRCurvatureTensor(const vtkNPRCurvatureTensor&) = delete;
   void operator=(const vtkNPRCurvatureTensor&) = delete;
 
+#ifndef __VTK_WRAP__
+  std::unique_ptr<npr::CurvatureEstimator> MakeEstimator() const;
+#endif
+
+  int Estimator = PER_FACE;
   double SmoothingRadius = 0.0;
+  bool OutputNormals = true;
+  bool OutputTensor = true;
+  bool OutputPrincipalCurvatures = true;
+  bool OutputPrincipalDirections = true;
+  bool OutputMeanCurvature = true;
+  bool OutputGaussianCurvature = true;
+  bool OutputDerivatives = true;
+  bool OutputShapeIndex = false;
+  bool OutputCurvedness = false;
+  bool OutputPointArea = false;
+  bool OutputBorderPoints = true;
+  bool OutputUnknownCurvature = true;
 };
 
 #endif

@@ -26,6 +26,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter as _vtkWindowToImageFilter,
 )
 
+from .vtkNPRFiltersSurfaces import *  # noqa: F401,F403
 from .vtkNPRFiltersCurvature import *  # noqa: F401,F403
 from .vtkNPRFiltersLines import *  # noqa: F401,F403
 from .vtkNPRFiltersSources import *  # noqa: F401,F403

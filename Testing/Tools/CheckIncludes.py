@@ -16,7 +16,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-CHAIN = ["Filters/Core", "Filters/Curvature", "Filters/Lines", "Filters/Strokes"]
+CHAIN = ["Filters/Core", "Filters/Surfaces", "Filters/Curvature", "Filters/Lines",
+         "Filters/Strokes"]
 DRAWING = ["Rendering/Offscreen", "Rendering/Shading", "Rendering/Strokes", "Rendering/ImageSpace"]
 ON_CORE = ["Filters/Sources", "Filters/Volume", "Modules/IO"]
 # These see everything; nothing sees them, but that the doors see the illustration.

@@ -10,13 +10,11 @@
 #include "nprAnalyticSurfaces.h"
 #include "nprArrayNames.h"
 #include "nprCurvatureDerivatives.h"
+#include "nprPointValues.h"
 #include "vtkNPRCurvatureDerivatives.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRSurfaceNormals.h"
 #include "vtkNPRSurfacePreparation.h"
-
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 
@@ -50,23 +48,6 @@ inline std::vector<const char*> GetArrayNames()
     npr::names::PrincipalCurvature2, npr::names::PrincipalDirection1,
     npr::names::PrincipalDirection2, npr::names::MeanCurvature, npr::names::GaussianCurvature,
     npr::names::CurvatureDerivatives, npr::names::BorderPoints };
-}
-
-template<int Size>
-Eigen::Matrix<double, Size, 1> GetTuple(vtkPolyData* surface, const char* name, vtkIdType point)
-{
-  Eigen::Matrix<double, Size, 1> tuple = Eigen::Matrix<double, Size, 1>::Zero();
-  vtkDataArray* array = surface->GetPointData()->GetArray(name);
-  if (array && array->GetNumberOfComponents() == Size)
-  {
-    array->GetTuple(point, tuple.data());
-  }
-  return tuple;
-}
-
-inline double GetValue(vtkPolyData* surface, const char* name, vtkIdType point)
-{
-  return GetTuple<1>(surface, name, point)[0];
 }
 
 /// Errors at one point: of the normal, of the form (relative to the surface's largest curvature),

@@ -8,7 +8,7 @@
 #define nprCreases_h
 
 #include "nprTriangleMesh.h"
-#include "vtkNPRFiltersCurvatureModule.h"
+#include "vtkNPRFiltersSurfacesModule.h"
 
 #include <array>
 #include <vector>
@@ -28,7 +28,7 @@ using EdgeFlags = std::vector<std::array<unsigned char, 3>>;
  *
  * @param angle degrees, 0 (flat) to 180
  */
-VTKNPRFILTERSCURVATURE_EXPORT EdgeFlags FindCreases(const TriangleMesh& mesh, double angle);
+VTKNPRFILTERSSURFACES_EXPORT EdgeFlags FindCreases(const TriangleMesh& mesh, double angle);
 
 /**
  * Gives each group of triangles that hang together around a point a copy of the point of its own
@@ -38,7 +38,7 @@ VTKNPRFILTERSCURVATURE_EXPORT EdgeFlags FindCreases(const TriangleMesh& mesh, do
  * @param triangles in: those of the mesh; out: with the copies in place
  * @return for each copy, the point that it is a copy of
  */
-VTKNPRFILTERSCURVATURE_EXPORT std::vector<TriangleMesh::Index> SplitPoints(const TriangleMesh& mesh,
+VTKNPRFILTERSSURFACES_EXPORT std::vector<TriangleMesh::Index> SplitPoints(const TriangleMesh& mesh,
   const EdgeFlags& creases, std::vector<TriangleMesh::Triangle>& triangles);
 }
 

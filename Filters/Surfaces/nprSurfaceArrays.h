@@ -9,6 +9,7 @@
 
 #include "nprTriangleMesh.h"
 #include "nprVTKCompat.h"
+#include "vtkNPRFiltersSurfacesModule.h"
 
 #include <vtkType.h>
 
@@ -22,14 +23,16 @@ VTK_ABI_NAMESPACE_END
 namespace npr
 {
 /// Makes the triangles the surface's only cells.
-void SetTriangles(vtkPolyData* surface, const std::vector<TriangleMesh::Triangle>& triangles);
+VTKNPRFILTERSSURFACES_EXPORT void SetTriangles(
+  vtkPolyData* surface, const std::vector<TriangleMesh::Triangle>& triangles);
 
 /// Makes `output` have those tuples of `input`, in that order, with what is active.
-void SelectTuples(
+VTKNPRFILTERSSURFACES_EXPORT void SelectTuples(
   vtkDataSetAttributes* input, const std::vector<vtkIdType>& ids, vtkDataSetAttributes* output);
 
 /// Makes `output` have those points of `input`, in that order, with their arrays.
-void SelectPoints(vtkPolyData* input, const std::vector<vtkIdType>& ids, vtkPolyData* output);
+VTKNPRFILTERSSURFACES_EXPORT void SelectPoints(
+  vtkPolyData* input, const std::vector<vtkIdType>& ids, vtkPolyData* output);
 }
 
 #endif

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts and results on messes made by hand; creases of a cube; noise that must not be split.
-#include "nprCurvaturePipeline.h"
+#include "nprAnalyticSurfaces.h"
+#include "nprArrayNames.h"
+#include "nprPointValues.h"
+#include "vtkNPRSurfacePreparation.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -9,7 +9,7 @@
 
 #include "nprTriangleMesh.h"
 #include "nprVTKCompat.h"
-#include "vtkNPRFiltersCurvatureModule.h"
+#include "vtkNPRFiltersSurfacesModule.h"
 
 #include <vtkType.h>
 
@@ -58,13 +58,13 @@ struct PreparedSurface
   SurfacePreparationCounts Counts;
 };
 
-VTKNPRFILTERSCURVATURE_EXPORT PreparedSurface PrepareSurface(
+VTKNPRFILTERSSURFACES_EXPORT PreparedSurface PrepareSurface(
   vtkPolyData* input, const SurfacePreparationOptions& options);
 
 /// Turns triangles over until neighbours agree and closed components have their normals outside;
 /// open ones keep the side of most of their triangles (needs the neighbours). Returns how many it
 /// turned.
-VTKNPRFILTERSCURVATURE_EXPORT vtkIdType OrientTriangles(TriangleMesh& mesh);
+VTKNPRFILTERSSURFACES_EXPORT vtkIdType OrientTriangles(TriangleMesh& mesh);
 }
 
 #endif

@@ -23,10 +23,10 @@
 #define vtkNPRSurfacePreparation_h
 
 #include "nprSurfacePreparation.h" // for its counts
-#include "vtkNPRFiltersCurvatureModule.h"
+#include "vtkNPRFiltersSurfacesModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
-class VTKNPRFILTERSCURVATURE_EXPORT vtkNPRSurfacePreparation : public vtkPolyDataAlgorithm
+class VTKNPRFILTERSSURFACES_EXPORT vtkNPRSurfacePreparation : public vtkPolyDataAlgorithm
 {
 public:
   static vtkNPRSurfacePreparation* New();

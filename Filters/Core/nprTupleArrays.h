@@ -11,6 +11,7 @@
 #include <vtkFloatArray.h>
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Core>
 
@@ -67,6 +68,17 @@ inline vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, const std::vec
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+/// A named array of flags, 0 or 1.
+inline vtkSmartPointer<vtkUnsignedCharArray> MakeFlagArray(
+  const char* name, const std::vector<unsigned char>& flags)
+{
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(flags.size()));
+  std::copy(flags.begin(), flags.end(), array->GetPointer(0));
   return array;
 }
 }
