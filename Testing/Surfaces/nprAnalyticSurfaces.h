@@ -18,9 +18,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <random>
 #include <vector>
 
 namespace nprtest
@@ -67,24 +69,50 @@ struct AnalyticSurface
   std::vector<Truth> Truths;
 };
 
-/// A grid over [u0, u1] x [v0, v1], each square parted by the same diagonal. Where the surface
-/// closes in a direction, the last row is the first.
-inline AnalyticSurface MakeSurface(const Parametrisation& surface, const double range[4], int nu,
-  int nv, bool closesInU, bool closesInV)
+/// A surface over a rectangle of parameters, u x v pointing outward. Where it closes in a
+/// direction, the end of the range is its beginning.
+struct ParametricSurface
+{
+  Parametrisation At;
+  std::array<double, 4> Range; // u0, u1, v0, v1
+  bool ClosesInU = false;
+  bool ClosesInV = false;
+};
+
+/// How far parameters stray from those of the grid: evenly up to Amount of a cell, either way. What
+/// lies on a border moves along it only.
+struct Jitter
+{
+  double Amount = 0.0;
+  unsigned int Seed = 1;
+};
+
+/// A grid of nu x nv cells, each parted by the same diagonal. The points are in double precision.
+inline AnalyticSurface MakeSurface(
+  const ParametricSurface& surface, int nu, int nv, const Jitter& jitter = Jitter())
 {
   AnalyticSurface result;
   result.Mesh = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> cells;
-  const int rows = nu + (closesInU ? 0 : 1);
-  const int columns = nv + (closesInV ? 0 : 1);
+  const int rows = nu + (surface.ClosesInU ? 0 : 1);
+  const int columns = nv + (surface.ClosesInV ? 0 : 1);
+  const auto& range = surface.Range;
+  std::mt19937 random(jitter.Seed);
+  const auto stray = [&](int i, int count, bool closes)
+  {
+    const double offset = jitter.Amount * (random() / 2147483648.0 - 1.0);
+    return closes || (i > 0 && i < count) ? i + offset : i;
+  };
   for (int i = 0; i < rows; ++i)
   {
     for (int j = 0; j < columns; ++j)
     {
-      result.Truths.push_back(surface(
-        range[0] + (range[1] - range[0]) * i / nu, range[2] + (range[3] - range[2]) * j / nv));
+      const double u = stray(i, nu, surface.ClosesInU) / nu;
+      const double v = stray(j, nv, surface.ClosesInV) / nv;
+      result.Truths.push_back(
+        surface.At(range[0] + (range[1] - range[0]) * u, range[2] + (range[3] - range[2]) * v));
       points->InsertNextPoint(result.Truths.back().Point.data());
     }
   }
@@ -111,60 +139,129 @@ inline AnalyticSurface MakeSurface(const Parametrisation& surface, const double 
 
 /// Around z; u around the axis, v around the tube. On the meridian circle the curvature is 1 / r,
 /// across it cos v / (R + r cos v); only the latter changes, and only along the meridian.
+inline ParametricSurface Torus(double R, double r)
+{
+  const auto at = [=](double u, double v)
+  {
+    Truth truth;
+    const double rho = R + r * std::cos(v);
+    truth.Point = { rho * std::cos(u), rho * std::sin(u), r * std::sin(v) };
+    truth.Normal = { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) };
+    truth.Frame.U = { -std::sin(v) * std::cos(u), -std::sin(v) * std::sin(u), std::cos(v) };
+    truth.Frame.V = truth.Normal.cross(truth.Frame.U);
+    truth.Form = { 1.0 / r, 0.0, std::cos(v) / rho };
+    truth.Cubic = { 0.0, 0.0, -R * std::sin(v) / (r * rho * rho), 0.0 };
+    return truth;
+  };
+  return { at, { 0.0, 2.0 * Pi, 0.0, 2.0 * Pi }, true, true };
+}
+
 inline AnalyticSurface MakeTorus(double R, double r, int nu, int nv)
 {
-  const double range[4] = { 0.0, 2.0 * Pi, 0.0, 2.0 * Pi };
-  return MakeSurface(
-    [=](double u, double v)
-    {
-      Truth truth;
-      const double rho = R + r * std::cos(v);
-      truth.Point = { rho * std::cos(u), rho * std::sin(u), r * std::sin(v) };
-      truth.Normal = { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) };
-      truth.Frame.U = { -std::sin(v) * std::cos(u), -std::sin(v) * std::sin(u), std::cos(v) };
-      truth.Frame.V = truth.Normal.cross(truth.Frame.U);
-      truth.Form = { 1.0 / r, 0.0, std::cos(v) / rho };
-      truth.Cubic = { 0.0, 0.0, -R * std::sin(v) / (r * rho * rho), 0.0 };
-      return truth;
-    },
-    range, nu, nv, true, true);
+  return MakeSurface(Torus(R, r), nu, nv);
 }
 
 /// An open cylinder around z: 1 / r around, 0 along, and nothing changes.
+inline ParametricSurface Cylinder(double r, double height)
+{
+  const auto at = [=](double u, double z)
+  {
+    Truth truth;
+    truth.Normal = { std::cos(u), std::sin(u), 0.0 };
+    truth.Point = r * truth.Normal + Vector3d(0.0, 0.0, z);
+    truth.Frame.U = { -std::sin(u), std::cos(u), 0.0 };
+    truth.Frame.V = Vector3d::UnitZ();
+    truth.Form = { 1.0 / r, 0.0, 0.0 };
+    truth.Cubic = Vector4d::Zero();
+    return truth;
+  };
+  return { at, { 0.0, 2.0 * Pi, 0.0, height }, true, false };
+}
+
 inline AnalyticSurface MakeCylinder(double r, double height, int nu, int nv)
 {
-  const double range[4] = { 0.0, 2.0 * Pi, 0.0, height };
-  return MakeSurface(
-    [=](double u, double z)
-    {
-      Truth truth;
-      truth.Normal = { std::cos(u), std::sin(u), 0.0 };
-      truth.Point = r * truth.Normal + Vector3d(0.0, 0.0, z);
-      truth.Frame.U = { -std::sin(u), std::cos(u), 0.0 };
-      truth.Frame.V = Vector3d::UnitZ();
-      truth.Form = { 1.0 / r, 0.0, 0.0 };
-      truth.Cubic = Vector4d::Zero();
-      return truth;
-    },
-    range, nu, nv, true, false);
+  return MakeSurface(Cylinder(r, height), nu, nv);
+}
+
+/// A frustum of a cone around z, its apex at the origin on top; u around, v from the farther to the
+/// nearer distance from the apex. Around it the curvature is 1 / (s tan angle) at the distance s,
+/// and grows towards the apex; along it 0.
+inline ParametricSurface Cone(double angle, double farther, double nearer)
+{
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  const auto at = [=](double u, double v)
+  {
+    Truth truth;
+    const double s = farther - v;
+    truth.Point = { s * sine * std::cos(u), s * sine * std::sin(u), -s * cosine };
+    truth.Normal = { cosine * std::cos(u), cosine * std::sin(u), sine };
+    truth.Frame.U = { -std::sin(u), std::cos(u), 0.0 };
+    truth.Frame.V = truth.Normal.cross(truth.Frame.U);
+    truth.Form = { cosine / (s * sine), 0.0, 0.0 };
+    truth.Cubic = { 0.0, cosine / (s * s * sine), 0.0, 0.0 };
+    return truth;
+  };
+  return { at, { 0.0, 2.0 * Pi, 0.0, farther - nearer }, true, false };
 }
 
 /// A patch of a sphere between two latitudes: all curvatures are 1 / r.
+inline ParametricSurface SpherePatch(double r)
+{
+  const auto at = [=](double u, double v)
+  {
+    Truth truth;
+    truth.Normal = { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) };
+    truth.Point = r * truth.Normal;
+    truth.Frame = npr::MakeTangentFrame(truth.Normal);
+    truth.Form = { 1.0 / r, 0.0, 1.0 / r };
+    truth.Cubic = Vector4d::Zero();
+    return truth;
+  };
+  return { at, { 0.0, 2.0, -0.7, 0.8 } };
+}
+
 inline AnalyticSurface MakeSpherePatch(double r, int nu, int nv)
 {
-  const double range[4] = { 0.0, 2.0, -0.7, 0.8 };
-  return MakeSurface(
-    [=](double u, double v)
-    {
-      Truth truth;
-      truth.Normal = { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) };
-      truth.Point = r * truth.Normal;
-      truth.Frame = npr::MakeTangentFrame(truth.Normal);
-      truth.Form = { 1.0 / r, 0.0, 1.0 / r };
-      truth.Cubic = Vector4d::Zero();
-      return truth;
-    },
-    range, nu, nv, false, false);
+  return MakeSurface(SpherePatch(r), nu, nv);
+}
+
+/// The ellipsoid with these semi-axes at the point that belongs to a direction: its components
+/// times the axes. F = x^2 / a^2 + y^2 / b^2 + z^2 / c^2 has the gradient g and the Hessian A, and
+/// with n = g / |g| the second fundamental form is A(x, y) / |g|, its derivative
+/// -(II(x, y) A(n, z) + II(y, z) A(n, x) + II(z, x) A(n, y)) / |g|.
+inline Truth MakeEllipsoidTruth(const Vector3d& axes, const Vector3d& direction)
+{
+  Truth truth;
+  truth.Point = axes.cwiseProduct(direction);
+  const Vector3d hessian = 2.0 * axes.cwiseAbs2().cwiseInverse();
+  const Vector3d gradient = hessian.cwiseProduct(truth.Point);
+  const double length = gradient.norm();
+  truth.Normal = gradient / length;
+  truth.Frame = npr::MakeTangentFrame(truth.Normal);
+  const Vector3d& u = truth.Frame.U;
+  const Vector3d& v = truth.Frame.V;
+  const auto form = [&](const Vector3d& a, const Vector3d& b)
+  { return hessian.cwiseProduct(a).dot(b) / length; };
+  const auto cubic = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c)
+  {
+    const Vector3d& n = truth.Normal;
+    return -(form(a, b) * form(n, c) + form(b, c) * form(n, a) + form(c, a) * form(n, b));
+  };
+  truth.Form = { form(u, u), form(u, v), form(v, v) };
+  truth.Cubic = { cubic(u, u, u), cubic(u, u, v), cubic(u, v, v), cubic(v, v, v) };
+  return truth;
+}
+
+/// A patch of an ellipsoid, away from its poles.
+inline ParametricSurface EllipsoidPatch(const Vector3d& axes)
+{
+  const auto at = [=](double u, double v)
+  {
+    return MakeEllipsoidTruth(
+      axes, { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) });
+  };
+  return { at, { 0.0, 2.0, -0.7, 0.8 } };
 }
 
 /// The derivatives of a height: x, y; xx, xy, yy; xxx, xxy, xyy, yyy.
@@ -216,32 +313,50 @@ inline Truth MakeHeightTruth(double x, double y, const HeightJet& f)
 }
 
 /// The saddle z = x y.
+inline ParametricSurface Saddle()
+{
+  const auto at = [](double x, double y) {
+    return MakeHeightTruth(x, y, { x * y, { y, x }, { 0, 1, 0 }, { 0, 0, 0, 0 } });
+  };
+  return { at, { -0.8, 0.8, -0.8, 0.8 } };
+}
+
 inline AnalyticSurface MakeSaddle(int n)
 {
-  const double range[4] = { -0.8, 0.8, -0.8, 0.8 };
-  return MakeSurface(
-    [](double x, double y) {
-      return MakeHeightTruth(x, y, { x * y, { y, x }, { 0, 1, 0 }, { 0, 0, 0, 0 } });
-    },
-    range, n, n, false, false);
+  return MakeSurface(Saddle(), n, n);
+}
+
+/// z = x^3 - 3 x y^2: a saddle for three, flat and umbilic at its middle.
+inline ParametricSurface MonkeySaddle()
+{
+  const auto at = [](double x, double y)
+  {
+    return MakeHeightTruth(x, y,
+      { x * x * x - 3 * x * y * y, { 3 * (x * x - y * y), -6 * x * y }, { 6 * x, -6 * y, -6 * x },
+        { 6, 0, -6, 0 } });
+  };
+  return { at, { -0.5, 0.5, -0.5, 0.5 } };
 }
 
 /// z = 0.3 sin 2x cos y.
+inline ParametricSurface Waves()
+{
+  const auto at = [](double x, double y)
+  {
+    const double s = 0.3 * std::sin(2.0 * x);
+    const double c = 0.3 * std::cos(2.0 * x);
+    const double cy = std::cos(y);
+    const double sy = std::sin(y);
+    return MakeHeightTruth(x, y,
+      { s * cy, { 2.0 * c * cy, -s * sy }, { -4.0 * s * cy, -2.0 * c * sy, -s * cy },
+        { -8.0 * c * cy, 4.0 * s * sy, -2.0 * c * cy, s * sy } });
+  };
+  return { at, { -1.0, 1.0, -1.0, 1.2 } };
+}
+
 inline AnalyticSurface MakeWaves(int n)
 {
-  const double range[4] = { -1.0, 1.0, -1.0, 1.2 };
-  return MakeSurface(
-    [](double x, double y)
-    {
-      const double s = 0.3 * std::sin(2.0 * x);
-      const double c = 0.3 * std::cos(2.0 * x);
-      const double cy = std::cos(y);
-      const double sy = std::sin(y);
-      return MakeHeightTruth(x, y,
-        { s * cy, { 2.0 * c * cy, -s * sy }, { -4.0 * s * cy, -2.0 * c * sy, -s * cy },
-          { -8.0 * c * cy, 4.0 * s * sy, -2.0 * c * cy, s * sy } });
-    },
-    range, n, n, false, false);
+  return MakeSurface(Waves(), n, n);
 }
 
 /// A sphere of about equal triangles: an octahedron whose triangles are parted into four, level

@@ -50,15 +50,15 @@ void TestGaussian(Checks& check)
   const double radius = 0.1;
   for (int n : { 40, 80 })
   {
-    const double range[4] = { -1.0, 1.0, -1.0, 1.0 };
-    AnalyticSurface sheet = MakeSurface(
-      [](double x, double y)
-      {
-        // Sheared, and finer on one side: the triangles are not regular.
-        return MakeHeightTruth(
-          x + 0.2 * y, y + 0.2 * y * y, { 0.0, { 0, 0 }, { 0, 0, 0 }, { 0, 0, 0, 0 } });
-      },
-      range, n, n, false, false);
+    AnalyticSurface sheet = MakeSurface({ [](double x, double y)
+                                          {
+                                            // Sheared, and finer on one side: the triangles are not
+                                            // regular.
+                                            return MakeHeightTruth(x + 0.2 * y, y + 0.2 * y * y,
+                                              { 0.0, { 0, 0 }, { 0, 0, 0 }, { 0, 0, 0, 0 } });
+                                          },
+                                          { -1.0, 1.0, -1.0, 1.0 } },
+      n, n);
     npr::TriangleMesh mesh(sheet.Mesh);
     mesh.BuildIncidence();
     const npr::Tuples<3> normals(mesh.GetNumberOfPoints(), Eigen::Vector3f::UnitZ());
