@@ -4,9 +4,12 @@
 
 #include "nprArrayNames.h"
 #include "nprCurvature.h"
+#include "nprCurvatureDerivatives.h"
+#include "nprCurvatureEstimator.h"
 
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 
 namespace npr
 {
@@ -55,5 +58,24 @@ void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tu
     wanted.GaussianCurvature, names::GaussianCurvature, [](float k1, float k2) { return k1 * k2; });
   addValues(wanted.ShapeIndex, names::ShapeIndex, ComputeShapeIndex);
   addValues(wanted.Curvedness, names::Curvedness, ComputeCurvedness);
+}
+
+//------------------------------------------------------------------------------
+Tuples<4> ToPrincipalFrames(const CurvatureEstimate& estimate)
+{
+  Tuples<4> derivatives(estimate.Derivatives.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(derivatives.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Eigen::Vector3d normal = estimate.Normals[i].cast<double>();
+        const PrincipalFrame frame = Diagonalise(estimate.Tensors[i].cast<double>(), normal);
+        derivatives[i] = ChangeFrame(
+          estimate.Derivatives[i].cast<double>(), MakeTangentFrame(normal), { frame.E1, frame.E2 })
+                           .cast<float>();
+      }
+    });
+  return derivatives;
 }
 }

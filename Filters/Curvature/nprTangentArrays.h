@@ -17,6 +17,8 @@ VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
+struct CurvatureEstimate;
+
 /// The surface's active normals, else its array "Normals", else null.
 vtkDataArray* FindNormals(vtkPolyData* surface);
 
@@ -35,6 +37,9 @@ struct CurvatureArrays
 /// Adds what is wanted.
 void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tuples<3>& normals,
   const CurvatureArrays& wanted = CurvatureArrays());
+
+/// P, Q, S, T: the estimate's derivatives in the principal frames of its tensors.
+Tuples<4> ToPrincipalFrames(const CurvatureEstimate& estimate);
 }
 
 #endif

@@ -57,26 +57,6 @@ void TurnTo(const npr::Tuples<3>& normals, npr::CurvatureEstimate& estimate)
       }
     });
 }
-
-/// P, Q, S, T from the derivatives over MakeTangentFrame(normal).
-npr::Tuples<4> ToPrincipalFrames(const npr::CurvatureEstimate& estimate)
-{
-  npr::Tuples<4> derivatives(estimate.Derivatives.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(derivatives.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Eigen::Vector3d normal = estimate.Normals[i].cast<double>();
-        const npr::PrincipalFrame frame =
-          npr::Diagonalise(estimate.Tensors[i].cast<double>(), normal);
-        derivatives[i] = npr::ChangeFrame(estimate.Derivatives[i].cast<double>(),
-          npr::MakeTangentFrame(normal), { frame.E1, frame.E2 })
-                           .cast<float>();
-      }
-    });
-  return derivatives;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +146,7 @@ int vtkNPRCurvatureTensor::RequestData(
   if (this->OutputDerivatives)
   {
     pointData->AddArray(
-      npr::MakeArray<4>(npr::names::CurvatureDerivatives, ToPrincipalFrames(estimate)));
+      npr::MakeArray<4>(npr::names::CurvatureDerivatives, npr::ToPrincipalFrames(estimate)));
   }
   if (this->OutputPointArea)
   {
