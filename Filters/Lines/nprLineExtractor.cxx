@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -86,6 +87,10 @@ LineExtractor::LineExtractor(const LineSurface& surface, const vtkNPRLineDefinit
   {
     return;
   }
+  if (definition.GetAxes())
+  {
+    this->Axes = std::make_unique<FieldAxes>(surface, definition.GetAxes());
+  }
   const TriangleMesh& mesh = surface.GetMesh();
   std::vector<signed char> signs(mesh.GetNumberOfPoints());
   ForBlocks(mesh.GetNumberOfPoints(),
@@ -140,18 +145,33 @@ std::vector<LineSegment> LineExtractor::Extract(const LineView& view) const
 }
 
 //------------------------------------------------------------------------------
+bool LineExtractor::IsCrossed(Index halfEdge, const float* field) const
+{
+  return this->Axes ? this->Axes->IsCrossed(halfEdge, field)
+                    : (field[this->Surface.GetStart(halfEdge)] >= 0.0f) !=
+      (field[this->Surface.GetEnd(halfEdge)] >= 0.0f);
+}
+
+//------------------------------------------------------------------------------
+// Of a half-edge that is crossed.
 LineExtractor::Node LineExtractor::CrossEdge(Index halfEdge, const float* field) const
 {
   Node node;
   node.From = this->Surface.GetStart(halfEdge);
   node.To = this->Surface.GetEnd(halfEdge);
-  if (field[node.From] < 0.0f)
+  // Always from one end, so that both triangles find the same bits, and an exact zero its vertex:
+  // from the positive end, or where the field has axes and so no positive end, from the one that is
+  // nearer to 0.
+  const auto rank = [&](Index point)
+  { return std::make_pair(std::abs(field[point]), this->Surface.GetWelded(point)); };
+  if (this->Axes ? rank(node.To) < rank(node.From) : field[node.From] < 0.0f)
   {
     std::swap(node.From, node.To);
   }
-  // Always from the positive end: both triangles find the same bits, and an exact zero its vertex.
-  const double positive = field[node.From];
-  node.T = positive / (positive - field[node.To]);
+  const double from = std::abs(double(field[node.From]));
+  const double sum = from + std::abs(double(field[node.To]));
+  // Both ends are 0 only where axes turn against their order in space.
+  node.T = sum > 0.0 ? from / sum : 0.5;
   if (node.T == 0.0)
   {
     node.Key = this->FirstVertexKey + this->Surface.GetWelded(node.From);
@@ -212,6 +232,11 @@ void LineExtractor::ExtractField(
   const TriangleMesh& mesh = this->Surface.GetMesh();
   const vtkIdType size = static_cast<vtkIdType>(this->Candidates.size());
   const bool tested = this->Definition.HasTest();
+  std::vector<float> fall;
+  if (this->Axes && this->Definition.IsMaximum())
+  {
+    fall = this->Axes->ComputeFall(field);
+  }
   std::vector<std::vector<LineSegment>> blocks(GetNumberOfBlocks(size));
   ForBlocks(size,
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
@@ -222,9 +247,10 @@ void LineExtractor::ExtractField(
       {
         const Index t = this->Candidates[i];
         const TriangleMesh::Triangle& c = mesh.GetTriangle(t);
-        const int positive = (field[c[0]] >= 0.0f) + (field[c[1]] >= 0.0f) + (field[c[2]] >= 0.0f);
-        if ((positive == 1 || positive == 2) && std::isfinite(field[c[0]]) &&
-          std::isfinite(field[c[1]]) && std::isfinite(field[c[2]]))
+        const int crossings = this->IsCrossed(3 * t, field) + this->IsCrossed(3 * t + 1, field) +
+          this->IsCrossed(3 * t + 2, field);
+        if (crossings == 2 && std::isfinite(field[c[0]]) && std::isfinite(field[c[1]]) &&
+          std::isfinite(field[c[2]]))
         {
           crossed.push_back(t);
           corners.insert(corners.end(), c.begin(), c.end());
@@ -234,32 +260,35 @@ void LineExtractor::ExtractField(
       if (tested)
       {
         test.resize(corners.size());
-        this->Definition.EvaluateTest(
-          this->Surface, view, corners.data(), static_cast<vtkIdType>(corners.size()), test.data());
+        this->Definition.EvaluateTest(this->Surface, view, corners.data(),
+          static_cast<vtkIdType>(corners.size()), fall.empty() ? nullptr : fall.data(),
+          test.data());
       }
 
       blocks[block].reserve(crossed.size());
       for (std::size_t i = 0; i < crossed.size(); ++i)
       {
         const TriangleMesh::Triangle& c = mesh.GetTriangle(crossed[i]);
-        // Walking the triangle's border, the line starts where the field turns negative.
+        // Walking the triangle's border, the line starts where the field turns negative; where that
+        // means nothing, with the first crossing.
         std::array<Node, 2> nodes = {};
         std::array<float, 2> accepted = { 1.0f, 1.0f };
+        int found = 0;
         for (int e = 0; e < 3; ++e)
         {
-          const int next = (e + 1) % 3;
-          const bool isPositive = field[c[e]] >= 0.0f;
-          if (isPositive == (field[c[next]] >= 0.0f))
+          if (!this->IsCrossed(3 * crossed[i] + e, field))
           {
             continue;
           }
-          const int n = isPositive ? 0 : 1;
+          const int n = this->Axes ? found++ : field[c[e]] >= 0.0f ? 0 : 1;
           nodes[n] = this->CrossEdge(3 * crossed[i] + e, field);
           if (tested)
           {
+            const int next = (e + 1) % 3;
+            const bool forward = nodes[n].From == c[e];
             const float s = static_cast<float>(nodes[n].T);
-            const std::size_t from = 3 * i + (isPositive ? e : next);
-            const std::size_t to = 3 * i + (isPositive ? next : e);
+            const std::size_t from = 3 * i + (forward ? e : next);
+            const std::size_t to = 3 * i + (forward ? next : e);
             accepted[n] = test[from] + s * (test[to] - test[from]);
           }
         }

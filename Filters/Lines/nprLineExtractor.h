@@ -3,11 +3,13 @@
 #ifndef nprLineExtractor_h
 #define nprLineExtractor_h
 
+#include "nprFieldAxes.h"
 #include "nprLineSegments.h"
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 class vtkNPRLineDefinition;
@@ -19,7 +21,9 @@ namespace npr
  * @brief Takes the segments of one line definition from a surface.
  *
  * Goes through all triangles that the definition does not rule out. In a triangle the field is
- * linear between its corners; a corner where it is exactly 0 counts as positive, everywhere. A
+ * linear between its corners; a corner where it is exactly 0 counts as positive, everywhere (where
+ * the field has axes, see FieldAxes; there a line ends in a triangle whose edges it crosses an odd
+ * number of times: it surrounds a point where the axes have no direction). A
  * point of the line that is a vertex is known as that vertex by all its triangles, so a line
  * through vertices or along edges is neither lost nor doubled. Segments have the positive side on
  * their left, seen from outside the surface.
@@ -43,6 +47,7 @@ public:
 
 private:
   struct Node;
+  bool IsCrossed(Index halfEdge, const float* field) const;
   Node CrossEdge(Index halfEdge, const float* field) const;
   Node AtVertex(Index point) const;
   LineVertex GetVertex(const Node& node) const;
@@ -60,6 +65,7 @@ private:
 
   const LineSurface& Surface;
   const vtkNPRLineDefinition& Definition;
+  std::unique_ptr<FieldAxes> Axes; ///< null where the field has one value
   std::vector<Index> Candidates;
   std::array<const float*, 3> Normals = { nullptr, nullptr, nullptr };
   std::int64_t FirstVertexKey;

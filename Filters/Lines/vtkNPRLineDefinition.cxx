@@ -5,7 +5,9 @@
 #include "vtkNPRBoundaries.h"
 #include "vtkNPRCreases.h"
 #include "vtkNPROccludingContours.h"
+#include "vtkNPRRidges.h"
 #include "vtkNPRSuggestiveContours.h"
+#include "vtkNPRValleys.h"
 
 #include <vtkSmartPointer.h>
 
@@ -19,6 +21,8 @@ using Maker = vtkNPRLineDefinition* (*)();
 const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPROccludingContours::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRSuggestiveContours::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRRidges::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRValleys::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRCreases::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRBoundaries::New()); },
 };
@@ -130,8 +134,8 @@ void vtkNPRLineDefinition::BoundField(
 }
 
 //------------------------------------------------------------------------------
-void vtkNPRLineDefinition::EvaluateTest(
-  const npr::LineSurface&, const npr::LineView&, const Index*, vtkIdType count, float* test) const
+void vtkNPRLineDefinition::EvaluateTest(const npr::LineSurface&, const npr::LineView&, const Index*,
+  vtkIdType count, const float*, float* test) const
 {
   std::fill(test, test + count, 1.0f);
 }

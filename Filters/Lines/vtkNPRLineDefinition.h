@@ -6,6 +6,8 @@
  *
  * A definition has a *field part*, an *edge part*, or both.
  * - Field part: the line is the zero set of a scalar field given at the points, where a test holds.
+ *   The field may be one whose sign belongs to an axis that is known only up to its sign, as a
+ *   derivative along a principal direction is.
  * - Edge part: the line runs along edges of the mesh that the definition accepts.
  *
  * vtkNPRFeatureLines evaluates definitions over whole spans of points or edges, so a virtual call
@@ -98,7 +100,7 @@ public:
     return false;
   }
   /// Writes field[i] for the points begin <= i < end. The line runs where the field is 0, the
-  /// positive side on its left.
+  /// positive side on its left (either way where the field has axes).
   virtual void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view,
     vtkIdType begin, vtkIdType end, float* field) const;
   /// Writes 1 or -1 where the field is positive (negative) in every view, else 0. Triangles whose
@@ -111,14 +113,28 @@ public:
   {
     return false;
   }
+  /// The required array of unit vectors that the field's sign belongs to, so that vector and value
+  /// may be turned over together at any point (see npr::FieldAxes; it also needs the normals). Null
+  /// for a field with one value.
+  virtual const char* GetAxes() const
+  {
+    return nullptr;
+  }
+  /// Whether the field is the derivative along its axes of something that has a maximum on the
+  /// line, so that EvaluateTest() is to be given its fall.
+  virtual bool IsMaximum() const
+  {
+    return false;
+  }
   virtual bool HasTest() const
   {
     return false;
   }
   /// Writes test[i] for points[i], i < count. The line is accepted where the test is > 0, and its
-  /// strength rises smoothly from 0 there to 1 where the test is 1 or more.
+  /// strength rises smoothly from 0 there to 1 where the test is 1 or more. fall[points[i]] is how
+  /// fast the field falls along its axis, in its unit / length; null unless IsMaximum().
   virtual void EvaluateTest(const npr::LineSurface& surface, const npr::LineView& view,
-    const Index* points, vtkIdType count, float* test) const;
+    const Index* points, vtkIdType count, const float* fall, float* test) const;
   ///@}
 
   /// @name Edge part

@@ -56,7 +56,7 @@ std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRSuggestiveContours::GetRe
     { npr::names::PrincipalCurvature2, 1, "vtkNPRCurvatureTensor" },
     { npr::names::PrincipalDirection1, 3, "vtkNPRCurvatureTensor" },
     { npr::names::PrincipalDirection2, 3, "vtkNPRCurvatureTensor" },
-    { npr::names::CurvatureDerivatives, 4, "vtkNPRCurvatureDerivatives" } };
+    { npr::names::CurvatureDerivatives, 4, "vtkNPRCurvatureTensor" } };
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +111,7 @@ void vtkNPRSuggestiveContours::BoundField(
 
 //------------------------------------------------------------------------------
 void vtkNPRSuggestiveContours::EvaluateTest(const npr::LineSurface& surface,
-  const npr::LineView& view, const Index* points, vtkIdType count, float* test) const
+  const npr::LineView& view, const Index* points, vtkIdType count, const float*, float* test) const
 {
   const Vectors normals(surface, npr::names::Normals);
   const Vectors directions1(surface, npr::names::PrincipalDirection1);

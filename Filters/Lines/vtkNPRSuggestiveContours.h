@@ -85,7 +85,7 @@ public:
     return true;
   }
   void EvaluateTest(const npr::LineSurface& surface, const npr::LineView& view, const Index* points,
-    vtkIdType count, float* test) const override;
+    vtkIdType count, const float* fall, float* test) const override;
 #endif
 
 protected:

@@ -185,7 +185,7 @@ class TestCommand(CommandTest):
         self.assertIn(b"LineType", content)
         self.assertIn(b"Strength", content)
         listed = self.run_well("lines", "--list").stdout
-        for name in ("contours", "suggestive", "creases", "boundaries"):
+        for name in ("contours", "suggestive", "ridges", "valleys", "creases", "boundaries"):
             self.assertIn(name, listed)
 
     def check_creases(self, segments, *offsets):

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprFieldAxes.h"
+
+#include "nprArrayNames.h"
+#include "nprTangentFrame.h"
+
+#include <vtkSMPTools.h>
+
+#include <cmath>
+
+namespace npr
+{
+namespace
+{
+constexpr double LeastCosine =
+  0.70710678; // of axes that are closer to parallel than to right angles
+}
+
+//------------------------------------------------------------------------------
+FieldAxes::FieldAxes(const LineSurface& surface, const char* name)
+  : Surface(surface), Turns(surface.GetNumberOfHalfEdges())
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Axes[i] = surface.GetComponent(name, i);
+    this->Normals[i] = surface.GetComponent(names::Normals, i);
+  }
+  vtkSMPTools::For(0, surface.GetNumberOfHalfEdges(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (Index h = static_cast<Index>(begin); h < end; ++h)
+      {
+        const Index start = surface.GetStart(h);
+        const Index stop = surface.GetEnd(h);
+        // In one order, so that both half-edges of an edge round alike.
+        this->Turns[h] =
+          static_cast<signed char>(this->Compare(std::min(start, stop), std::max(start, stop)));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool FieldAxes::IsForward(Index point) const
+{
+  for (const float* component : this->Axes)
+  {
+    if (component[point] != 0.0f)
+    {
+      return component[point] > 0.0f;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int FieldAxes::Compare(Index a, Index b) const
+{
+  const auto getNormal = [this](Index point) -> Eigen::Vector3d {
+    return { this->Normals[0][point], this->Normals[1][point], this->Normals[2][point] };
+  };
+  const MinimalRotation rotation(getNormal(a), getNormal(b));
+  const double cosine = rotation.IsValid() ? rotation(this->GetAxis(a)).dot(this->GetAxis(b)) : 0.0;
+  return cosine > LeastCosine ? 1 : cosine < -LeastCosine ? -1 : 0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> FieldAxes::ComputeFall(const float* field) const
+{
+  const TriangleMesh& mesh = this->Surface.GetMesh();
+  std::vector<float> fall(mesh.GetNumberOfPoints());
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (Index point = static_cast<Index>(begin); point < end; ++point)
+      {
+        double sum = 0.0;
+        double area = 0.0;
+        const Eigen::Vector3d axis = this->GetAxis(point);
+        for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+        {
+          const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
+          const int here = c[0] == point ? 0 : c[1] == point ? 1 : 2;
+          const Index b = c[(here + 1) % 3];
+          const Index d = c[(here + 2) % 3];
+          const int turnB = this->Turns[3 * *t + here];
+          const int turnD = this->Turns[3 * *t + (here + 2) % 3];
+          const Eigen::Vector3d toB = (mesh.GetPoint(b) - mesh.GetPoint(point)).cast<double>();
+          const Eigen::Vector3d toD = (mesh.GetPoint(d) - mesh.GetPoint(point)).cast<double>();
+          const Eigen::Vector3d normal = toB.cross(toD);
+          const double size = normal.norm();
+          if (turnB == 0 || turnD == 0 || !(size > 0.0))
+          {
+            continue;
+          }
+          // The gradient of the linear field in the triangle, times twice its area.
+          const double riseB = double(field[b]) * turnB - field[point];
+          const double riseD = double(field[d]) * turnD - field[point];
+          const Eigen::Vector3d gradient = (riseB * toD - riseD * toB).cross(normal) / size;
+          sum -= gradient.dot(axis);
+          area += size;
+        }
+        fall[point] = area > 0.0 ? static_cast<float>(sum / area) : 0.0f;
+      }
+    });
+  return fall;
+}
+}
