@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The filters one by one: from a surface to its lines, and to strokes in a renderer.
-#include <vtkNPRCurvatureDerivatives.h>
 #include <vtkNPRCurvatureTensor.h>
 #include <vtkNPRFeatureLines.h>
 #include <vtkNPROffscreen.h>
@@ -34,12 +33,10 @@ int main(int argc, char* argv[])
   normals->SetInputConnection(preparation->GetOutputPort());
   vtkNew<vtkNPRCurvatureTensor> tensor;
   tensor->SetInputConnection(normals->GetOutputPort());
-  vtkNew<vtkNPRCurvatureDerivatives> derivatives;
-  derivatives->SetInputConnection(tensor->GetOutputPort());
 
   // For each view: chained lines, then smooth strokes.
   vtkNew<vtkNPRFeatureLines> lines;
-  lines->SetInputConnection(derivatives->GetOutputPort());
+  lines->SetInputConnection(tensor->GetOutputPort());
   lines->AddDefinition("contours");
   lines->AddDefinition("suggestive");
   lines->SetCamera(renderer->GetActiveCamera());
@@ -48,7 +45,7 @@ int main(int argc, char* argv[])
 
   // White paper that hides what is behind, and black strokes on it.
   vtkNew<vtkPolyDataMapper> paperMapper;
-  paperMapper->SetInputConnection(derivatives->GetOutputPort());
+  paperMapper->SetInputConnection(tensor->GetOutputPort());
   vtkNew<vtkActor> paper;
   paper->SetMapper(paperMapper);
   paper->GetProperty()->LightingOff();

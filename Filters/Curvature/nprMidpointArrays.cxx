@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprMidpointArrays.h"
 
+#include "nprCurvatureDerivatives.h"
 #include "nprTangentFrame.h"
 
 #include <vtkDataArray.h>
@@ -94,6 +95,44 @@ Tuples<6> ExtendTensors(const Tuples<6>& tensors, const RefinedSurface& refined)
         }
       }
       extended[point] = FromFrame(sum, frame).cast<float>();
+    });
+  return extended;
+}
+
+//------------------------------------------------------------------------------
+Tuples<4> ExtendDerivatives(
+  const Tuples<4>& derivatives, const Tuples<3>& e1, const RefinedSurface& refined)
+{
+  Tuples<4> extended(refined.Points.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(derivatives.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Eigen::Vector3d normal = refined.Normals[i].cast<double>();
+        const Eigen::Vector3d u = e1[i].cast<double>();
+        extended[i] = ChangeFrame(
+          derivatives[i].cast<double>(), { u, normal.cross(u) }, MakeTangentFrame(normal))
+                        .cast<float>();
+      }
+    });
+  ForMidpoints(refined,
+    [&](vtkIdType point, const std::array<Index, 2>& ends)
+    {
+      const Eigen::Vector3d normal = refined.Normals[point].cast<double>();
+      Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+      for (Index end : ends)
+      {
+        const Eigen::Vector3d from = refined.Normals[end].cast<double>();
+        const MinimalRotation rotation(from, normal);
+        if (rotation.IsValid())
+        {
+          sum += 0.5 *
+            ChangeFrame(extended[end].cast<double>(), rotation(MakeTangentFrame(from)),
+              MakeTangentFrame(normal));
+        }
+      }
+      extended[point] = sum.cast<float>();
     });
   return extended;
 }

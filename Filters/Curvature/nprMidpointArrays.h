@@ -26,6 +26,11 @@ vtkSmartPointer<vtkAbstractArray> ExtendArray(
 
 /// The same for tensors of tangent planes, turned into those of the midpoints.
 Tuples<6> ExtendTensors(const Tuples<6>& tensors, const RefinedSurface& refined);
+
+/// The same for derivatives of tensors, P, Q, S, T: given over the frames of the old points that
+/// begin with the unit vectors \p e1, returned over MakeTangentFrame(normal).
+Tuples<4> ExtendDerivatives(
+  const Tuples<4>& derivatives, const Tuples<3>& e1, const RefinedSurface& refined);
 }
 
 #endif

@@ -3,6 +3,8 @@
 #include "vtkNPRSurfaceRefinement.h"
 
 #include "nprArrayNames.h"
+#include "nprCurvature.h"
+#include "nprCurvatureEstimator.h"
 #include "nprLengthScale.h"
 #include "nprMidpointArrays.h"
 #include "nprSurfaceArrays.h"
@@ -60,6 +62,54 @@ void SetPoints(vtkPolyData* input, const npr::TriangleMesh& mesh,
 }
 
 //------------------------------------------------------------------------------
+/// The input's array of that many components, else null.
+vtkDataArray* Find(vtkPointData* input, const char* name, int components)
+{
+  vtkDataArray* array = input->GetArray(name);
+  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// The tensors in the tangent planes of all points, and of what follows from them those arrays that
+/// the input has: none of it can be interpolated by its components, which refer to a frame of their
+/// own at each point.
+void SetCurvatureArrays(
+  vtkPointData* input, const npr::RefinedSurface& refined, vtkPolyData* surface)
+{
+  vtkDataArray* const array = Find(input, npr::names::CurvatureTensor, 6);
+  if (!array || refined.Parents.empty())
+  {
+    return;
+  }
+  const npr::Tuples<6> coarse = npr::ReadTuples<6>(array);
+  npr::CurvatureEstimate estimate;
+  estimate.Normals = refined.Normals;
+  estimate.Tensors = npr::ExtendTensors(coarse, refined);
+  npr::CurvatureArrays wanted;
+  wanted.PrincipalCurvatures = input->HasArray(npr::names::PrincipalCurvature1);
+  wanted.PrincipalDirections = input->HasArray(npr::names::PrincipalDirection1);
+  wanted.MeanCurvature = input->HasArray(npr::names::MeanCurvature);
+  wanted.GaussianCurvature = input->HasArray(npr::names::GaussianCurvature);
+  wanted.ShapeIndex = input->HasArray(npr::names::ShapeIndex);
+  wanted.Curvedness = input->HasArray(npr::names::Curvedness);
+  npr::AddCurvatureArrays(surface, estimate.Tensors, estimate.Normals, wanted);
+
+  if (vtkDataArray* derivatives = Find(input, npr::names::CurvatureDerivatives, 4))
+  {
+    // A direction may point either way, and the derivatives say nothing without knowing which.
+    vtkDataArray* const given = Find(input, npr::names::PrincipalDirection1, 3);
+    const npr::Tuples<3> e1 = given
+      ? npr::ReadTuples<3>(given)
+      : npr::ComputePrincipalFrames(
+          coarse, { refined.Normals.begin(), refined.Normals.begin() + coarse.size() })
+          .E1;
+    estimate.Derivatives = npr::ExtendDerivatives(npr::ReadTuples<4>(derivatives), e1, refined);
+    surface->GetPointData()->AddArray(
+      npr::MakeArray<4>(npr::names::CurvatureDerivatives, npr::ToPrincipalFrames(estimate)));
+  }
+}
+
+//------------------------------------------------------------------------------
 void SetPointArrays(vtkPointData* input, const npr::RefinedSurface& refined, vtkPolyData* surface)
 {
   vtkPointData* output = surface->GetPointData();
@@ -73,12 +123,7 @@ void SetPointArrays(vtkPointData* input, const npr::RefinedSurface& refined, vtk
     }
   }
   output->SetNormals(npr::MakeArray<3>(npr::names::Normals, refined.Normals));
-  vtkDataArray* tensors = input->GetArray(npr::names::CurvatureTensor);
-  if (tensors && tensors->GetNumberOfComponents() == 6)
-  {
-    npr::AddCurvatureArrays(
-      surface, npr::ExtendTensors(npr::ReadTuples<6>(tensors), refined), refined.Normals);
-  }
+  SetCurvatureArrays(input, refined, surface);
   if (vtkDataArray* border = output->GetArray(npr::names::BorderPoints))
   {
     for (std::size_t i = 0; i < refined.BorderPoints.size(); ++i)

@@ -10,11 +10,11 @@
  * coarse. See npr::RefineSurface for the rules and their source.
  *
  * The input should come from vtkNPRSurfacePreparation and vtkNPRSurfaceNormals; without normals
- * they are computed. Curvature is best estimated before (vtkNPRCurvatureTensor on the coarse mesh),
- * its derivatives after the refinement. Points of the input stay where and which they are;
- * midpoints follow. Point arrays are interpolated linearly (integers other than bytes taken from
- * one end); the tensor is turned into the tangent planes of the new points, and what follows from
- * it computed anew. Cell arrays pass to all parts of a cell.
+ * they are computed. Curvature and its derivatives are best estimated before (vtkNPRCurvatureTensor
+ * on the mesh as it was measured). Points of the input stay where and which they are; midpoints
+ * follow. Point arrays are interpolated linearly (integers other than bytes taken from one end);
+ * the curvature tensor and its derivatives are turned into the tangent planes of the new points,
+ * and what follows from the tensor computed anew. Cell arrays pass to all parts of a cell.
  *
  * @sa vtkNPRSurfacePreparation vtkNPRSurfaceNormals vtkNPRCurvatureTensor
  */

@@ -109,16 +109,19 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
   this->Pipeline.Tune(style.Geometry, scale.GetUnit(actor->GetMatrix()), !this->IsTextured);
   this->ShadeSurface(style);
 
-  if (style.Lines.empty())
-  {
-    this->Pipeline.SkipCurvature();
-  }
   vtkNPRFeatureLines* lines = this->Pipeline.GetFeatureLines();
   lines->SetMatrix(actor->GetMatrix());
   for (std::size_t i = 0; i < style.Lines.size(); ++i)
   {
-    lines->AddDefinition(MakeLineDefinition(style.Lines[i], "/lines/" + std::to_string(i)));
-    this->AddStrokes(style.Lines[i], static_cast<int>(i));
+    if (!style.Lines[i].Optional)
+    {
+      this->AddStrokes(style.Lines[i], lines->GetNumberOfDefinitions());
+      lines->AddDefinition(MakeLineDefinition(style.Lines[i], "/lines/" + std::to_string(i)));
+    }
+  }
+  if (lines->GetNumberOfDefinitions() == 0)
+  {
+    this->Pipeline.SkipCurvature();
   }
   this->Follow(scale);
   this->Pipeline.Update();

@@ -272,6 +272,7 @@ GeometryStyle ReadGeometry(Section section)
   section.Read("crease_angle", geometry.CreaseAngle, 0.0, 180.0);
   section.Read("smoothing", geometry.Smoothing, 0.0, 100.0);
   section.Read("refinement", geometry.Refinement, 0.0, 1000.0);
+  section.Read("estimator", geometry.Estimator);
   section.Finish();
   return geometry;
 }
@@ -296,6 +297,7 @@ LineStyle ReadLine(Section section)
   section.Read("taper", line.Taper);
   section.Read("fade", line.Fade);
   section.Read("minimum_length", line.MinimumLength, 0.0, 1000.0);
+  section.Read("optional", line.Optional);
   line.DefinitionParameters = section.ReadOthers();
   return line;
 }

@@ -40,6 +40,7 @@ struct LineStyle
   bool Taper = false;         ///< Weak parts of a line are thinner.
   bool Fade = false;          ///< Weak parts of a line are more transparent.
   double MinimumLength = 0.0; ///< Thousandths of the shorter side; shorter chains are dropped.
+  bool Optional = false;      ///< Only drawn where this kind of line is asked for by its name.
   Parameters DefinitionParameters;
 };
 
@@ -67,6 +68,8 @@ struct GeometryStyle
   double CreaseAngle = 40.0; ///< Degrees, 0..180; sharper edges separate smooth patches.
   double Smoothing = 2.5;    ///< Thousandths; details of this size draw no line. 0 for none.
   double Refinement = 8.0; ///< Thousandths; longer edges of a coarse mesh are refined. 0 for none.
+  std::string
+    Estimator; ///< Of curvature: a name that vtkNPRCurvatureTensor knows; empty for its default.
 };
 
 struct StyleDocument

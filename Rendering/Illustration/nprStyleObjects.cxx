@@ -3,6 +3,7 @@
 #include "nprStyleObjects.h"
 
 #include "nprStyleDocument.h"
+#include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRLineDefinition.h"
 #include "vtkNPRShadingStyle.h"
 #include "vtkNPRShadingStyles.h"
@@ -105,6 +106,16 @@ void CheckStyleNames(const StyleDocument& document)
   {
     throw StyleError("/shading/" + document.Shading.StyleParameters.begin()->first +
       " is not known; the style \"paper\" has no parameters");
+  }
+  const std::string& estimator = document.Geometry.Estimator;
+  if (!estimator.empty() && vtkNPRCurvatureTensor::FindEstimator(estimator.c_str()) < 0)
+  {
+    std::string names;
+    for (int i = 0; i < vtkNPRCurvatureTensor::GetNumberOfEstimators(); ++i)
+    {
+      names += (i == 0 ? "" : ", ") + std::string(vtkNPRCurvatureTensor::GetEstimatorName(i));
+    }
+    throw StyleError("/geometry/estimator '" + estimator + "' is not known; there are: " + names);
   }
   for (std::size_t i = 0; i < document.Lines.size(); ++i)
   {

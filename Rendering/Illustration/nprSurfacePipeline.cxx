@@ -4,7 +4,6 @@
 
 #include "nprLengthScale.h"
 #include "nprStyleDocument.h"
-#include "vtkNPRCurvatureDerivatives.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRSurfaceNormals.h"
@@ -58,14 +57,16 @@ SurfacePipeline::SurfacePipeline()
   this->Tensor->SetInputConnection(this->Normals->GetOutputPort());
   this->Refinement->SetInputConnection(this->Tensor->GetOutputPort());
   this->RefinedNormals->SetInputConnection(this->Refinement->GetOutputPort());
-  this->Derivatives->SetInputConnection(this->RefinedNormals->GetOutputPort());
-  this->Lines->SetInputConnection(this->Derivatives->GetOutputPort());
+  this->Lines->SetInputConnection(this->RefinedNormals->GetOutputPort());
+  // What no line asks for.
+  this->Tensor->OutputMeanCurvatureOff();
+  this->Tensor->OutputGaussianCurvatureOff();
+  this->Tensor->OutputUnknownCurvatureOff();
   this->Watch(this->Preparation, "prepare");
   this->Watch(this->Normals, "prepare");
   this->Watch(this->Tensor, "curvature");
   this->Watch(this->Refinement, "prepare");
   this->Watch(this->RefinedNormals, "prepare");
-  this->Watch(this->Derivatives, "curvature");
   this->Watch(this->Lines, "lines");
 }
 
@@ -98,8 +99,11 @@ void SurfacePipeline::Tune(const GeometryStyle& geometry, double unit, bool refi
   }
   const double scale = this->GetLengthScale();
   const double unitOfScale = scale > 0.0 ? unit / scale : 0.0;
+  if (!geometry.Estimator.empty())
+  {
+    this->Tensor->SetEstimator(vtkNPRCurvatureTensor::FindEstimator(geometry.Estimator.c_str()));
+  }
   this->Tensor->SetSmoothingRadius(geometry.Smoothing * unitOfScale);
-  this->Derivatives->SetSmoothingRadius(geometry.Smoothing * unitOfScale);
   this->Refinement->SetMaximumEdgeLength(geometry.Refinement * unitOfScale);
   const bool refined = refine && geometry.Refinement * unitOfScale > 0.0;
   this->Refinement->SetNumberOfLevels(refined ? -1 : 0);
@@ -136,7 +140,7 @@ void SurfacePipeline::Update()
 {
   if (this->Refinement->GetInputAlgorithm() == this->Tensor.Get())
   {
-    this->Derivatives->Update();
+    this->RefinedNormals->Update();
   }
   else
   {

@@ -15,7 +15,6 @@
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
-class vtkNPRCurvatureDerivatives;
 class vtkNPRCurvatureTensor;
 class vtkNPRFeatureLines;
 class vtkNPRSurfaceNormals;
@@ -31,12 +30,11 @@ struct GeometryStyle;
  * @class SurfacePipeline
  * @brief The filters from any surface to its feature lines, connected and tuned to a view.
  *
- * preparation -> normals -> curvature tensor -> refinement -> its own normals -> derivatives ->
- * feature lines.
+ * preparation -> normals -> curvature -> refinement -> its own normals -> feature lines.
  * The refined surface is shaded with the normals that it was made from, which are smooth; its lines
  * are taken with its own, so that its outline is where its facets turn away.
- * The curvature is taken from the mesh as it is; refinement then carries it to a finer, smooth
- * mesh, so that coarse models get smooth outlines, too.
+ * Curvature and its derivatives are taken from the mesh as it is; refinement then carries them to a
+ * finer, smooth mesh, so that coarse models get smooth outlines, too.
  */
 class SurfacePipeline
 {
@@ -87,7 +85,6 @@ private:
   vtkNew<vtkNPRCurvatureTensor> Tensor;
   vtkNew<vtkNPRSurfaceRefinement> Refinement;
   vtkNew<vtkNPRSurfaceNormals> RefinedNormals;
-  vtkNew<vtkNPRCurvatureDerivatives> Derivatives;
   vtkNew<vtkNPRFeatureLines> Lines;
 
   std::function<void(double)> Progress;

@@ -139,6 +139,7 @@ bool vtkNPRIllustrationStyle::SelectLines(const std::vector<std::string>& types)
         line.DefinitionParameters.clear();
       }
       line.Type = type;
+      line.Optional = false;
       npr::MakeLineDefinition(line, "lines");
       selected.push_back(line);
     }

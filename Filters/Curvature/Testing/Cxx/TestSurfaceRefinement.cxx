@@ -255,11 +255,57 @@ void TestArrays(Checks& check)
       (GetValue(output, npr::names::BorderPoints, i) == 1.0) == onBorder, "borders are flagged");
   }
   check(worst < 0.05, "arrays are interpolated", worst);
-  refined.Stages.Derivatives->SetInputConnection(refined.Refinement->GetOutputPort());
-  refined.Stages.Derivatives->Update();
-  check(refined.Stages.Derivatives->GetOutput()->GetPointData()->HasArray(
-          npr::names::CurvatureDerivatives),
-    "derivatives follow");
+}
+
+/// Derivatives are as good at midpoints as at the points they come from, whichever way the frames
+/// of their parents point.
+void TestDerivatives(Checks& check)
+{
+  AnalyticSurface waves = MakeWaves(48);
+  Refined refined(waves.Mesh);
+  refined.Stages.Tensor->OutputGaussianCurvatureOff();
+  refined.Refinement->SetNumberOfLevels(2);
+  vtkPolyData* output = refined.Update();
+  vtkPolyData* coarse = refined.Stages.Tensor->GetOutput();
+  double worst[2] = { 0.0, 0.0 };
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    if (std::abs(p[0]) > 0.8 || p[1] < -0.8 || p[1] > 1.0)
+    {
+      continue;
+    }
+    const Truth truth = Waves().At(p[0], p[1]);
+    const bool isOld = i < coarse->GetNumberOfPoints();
+    worst[isOld ? 0 : 1] = std::max(worst[isOld ? 0 : 1], GetErrors(output, i, truth).Cubic);
+    largest = std::max(largest, truth.Cubic.norm());
+    if (isOld)
+    {
+      check(std::abs(GetErrors(output, i, truth).Cubic - GetErrors(coarse, i, truth).Cubic) < 1e-4,
+        "old points keep what they have");
+    }
+  }
+  check(worst[0] < 0.03 * largest && worst[1] < 0.03 * largest, "midpoints get derivatives",
+    worst[1] / largest);
+  vtkPointData* const arrays = output->GetPointData();
+  check(!arrays->HasArray(npr::names::GaussianCurvature), "nothing is made that was not there");
+
+  // Without directions the frames are those that the tensors have.
+  refined.Stages.Tensor->OutputPrincipalDirectionsOff();
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(output);
+  refined.Update();
+  double difference = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    difference = std::max(difference,
+      (GetTuple<4>(output, npr::names::CurvatureDerivatives, i) -
+        GetTuple<4>(before, npr::names::CurvatureDerivatives, i))
+        .norm());
+  }
+  check(difference < 1e-3 * largest, "directions need not be there", difference);
 }
 }
 
@@ -271,5 +317,6 @@ int TestSurfaceRefinement(int, char*[])
   TestCan(check);
   TestFlat(check);
   TestArrays(check);
+  TestDerivatives(check);
   return check.GetResult();
 }

@@ -74,6 +74,8 @@ int TestIllustrationStyle(int, char*[])
   CheckRefused(R"({"lights": [{"elevation": 100}]})", "/lights/0/elevation");
   CheckRefused(R"({"lights": {}})", "/lights");
   CheckRefused(R"({"geometry": {"crease_angle": -1}})", "/geometry/crease_angle");
+  CheckRefused(R"({"geometry": {"estimator": "guess"}})", "per-face");
+  CheckRefused(R"({"geometry": {"estimator": 1}})", "/geometry/estimator");
   CheckRefused(R"({"lines": [{"width": 1}]})", "/lines/0/type");
   CheckRefused(R"({"lines": [{"type": "contours"}, {"type": "hair"}]})", "/lines/1");
   CheckRefused(R"({"lines": [{"type": "contours", "width": 0}]})", "/lines/0/width");
