@@ -36,6 +36,8 @@ inline constexpr const char* WeldedPointIds = "WeldedPointIds"; // 1
 
 // Field data of surfaces.
 inline constexpr const char* LengthScale = "LengthScale"; // 1 tuple; length
+/// What the preparation found and did: a component with a name for each count.
+inline constexpr const char* PreparationCounts = "PreparationCounts"; // 1 tuple
 /// What an automatic neighbourhood came to; where the input has it, it holds.
 inline constexpr const char* NeighbourhoodRadius = "NeighbourhoodRadius"; // 1 tuple; edge lengths
 

@@ -22,20 +22,6 @@ constexpr int ShortestChain = 6;
 constexpr int BorderEnd = 3;
 
 //------------------------------------------------------------------------------
-int FindCorner(const Triangle& corners, Index point)
-{
-  return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
-}
-
-//------------------------------------------------------------------------------
-/// Which edge of the neighbour is the one from `from` to `to` (either way), and whether the
-/// neighbour runs through it the other way, as it should.
-bool RunsOppositely(const Triangle& neighbour, Index from, Index to)
-{
-  return neighbour[(FindCorner(neighbour, to) + 1) % 3] == from;
-}
-
-//------------------------------------------------------------------------------
 /// The mean normal of a triangle and those of its neighbours that bend less than the angle, but for
 /// the one across an edge.
 Vector GetSideNormal(const TriangleMesh& mesh, const std::vector<Vector>& normals, float cosine,
@@ -133,53 +119,6 @@ void DropShortChains(const TriangleMesh& mesh, EdgeFlags& creases)
   }
 }
 
-//------------------------------------------------------------------------------
-/// Labels the triangles around a point by the group they belong to, and returns how many there are.
-int LabelFan(
-  const TriangleMesh& mesh, const EdgeFlags& creases, Index point, std::vector<int>& labels)
-{
-  const Index* const begin = mesh.IncidentBegin(point);
-  const Index* const end = mesh.IncidentEnd(point);
-  labels.assign(end - begin, -1);
-  int count = 0;
-  for (const Index* first = begin; first != end; ++first)
-  {
-    if (labels[first - begin] >= 0)
-    {
-      continue;
-    }
-    labels[first - begin] = count;
-    // From the first triangle of the group, go round both ways.
-    for (int way = 0; way < 2; ++way)
-    {
-      Index triangle = *first;
-      int edge = (FindCorner(mesh.GetTriangle(triangle), point) + 2 * way) % 3;
-      for (;;)
-      {
-        const Index next = mesh.GetNeighbour(triangle, edge);
-        if (next < 0 || creases[triangle][edge])
-        {
-          break;
-        }
-        int& label = labels[std::lower_bound(begin, end, next) - begin];
-        if (label >= 0)
-        {
-          break;
-        }
-        label = count;
-        // Out of the next triangle by its edge at the point that is not the one come in by.
-        const Triangle& corners = mesh.GetTriangle(triangle);
-        const Index other = corners[edge] == point ? corners[(edge + 1) % 3] : corners[edge];
-        const Triangle& nextCorners = mesh.GetTriangle(next);
-        const int here = FindCorner(nextCorners, point);
-        edge = nextCorners[(here + 1) % 3] == other ? (here + 2) % 3 : here;
-        triangle = next;
-      }
-    }
-    ++count;
-  }
-  return count;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -227,43 +166,5 @@ EdgeFlags FindCreases(const TriangleMesh& mesh, double angle)
     });
   DropShortChains(mesh, creases);
   return creases;
-}
-
-//------------------------------------------------------------------------------
-std::vector<Index> SplitPoints(
-  const TriangleMesh& mesh, const EdgeFlags& creases, std::vector<Triangle>& triangles)
-{
-  std::vector<unsigned char> isSplit(mesh.GetNumberOfPoints(), 0);
-  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<int> labels;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        isSplit[i] = LabelFan(mesh, creases, static_cast<Index>(i), labels) > 1;
-      }
-    });
-  std::vector<Index> originals;
-  std::vector<int> labels;
-  for (Index point = 0; point < mesh.GetNumberOfPoints(); ++point)
-  {
-    if (!isSplit[point])
-    {
-      continue;
-    }
-    const int count = LabelFan(mesh, creases, point, labels);
-    const Index firstCopy = mesh.GetNumberOfPoints() + static_cast<Index>(originals.size());
-    const Index* const incident = mesh.IncidentBegin(point);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-    {
-      if (labels[i] > 0)
-      {
-        triangles[incident[i]][FindCorner(mesh.GetTriangle(incident[i]), point)] =
-          firstCopy + labels[i] - 1;
-      }
-    }
-    originals.insert(originals.end(), count - 1, point);
-  }
-  return originals;
 }
 }

@@ -3,17 +3,21 @@
 #include "nprSurfacePreparation.h"
 
 #include "nprCreases.h"
+#include "nprHoles.h"
+#include "nprLengthScale.h"
+#include "nprOrientation.h"
+#include "nprPointFans.h"
 #include "nprPointWelding.h"
 #include "nprPolygonTriangles.h"
+#include "nprTriangleCleaning.h"
 
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 namespace npr
@@ -37,165 +41,6 @@ std::vector<Vector3d> ReadPoints(vtkPolyData* input)
       }
     });
   return points;
-}
-
-//------------------------------------------------------------------------------
-/// Keeps the triangles (with their cells) for which keep(index) holds; returns how many it dropped.
-template<typename Predicate>
-vtkIdType KeepTriangles(
-  std::vector<Triangle>& triangles, std::vector<vtkIdType>& cells, const Predicate& keep)
-{
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (keep(t))
-    {
-      triangles[kept] = triangles[t];
-      cells[kept++] = cells[t];
-    }
-  }
-  const vtkIdType dropped = static_cast<vtkIdType>(triangles.size() - kept);
-  triangles.resize(kept);
-  cells.resize(kept);
-  return dropped;
-}
-
-//------------------------------------------------------------------------------
-/// The middle corner of a triangle whose corners lie on one line (to the precision of single
-/// coordinates), or -1 for a triangle with an area.
-int FindMiddleCorner(const TriangleMesh& mesh, const Triangle& corners)
-{
-  double longest = -1.0;
-  int middle = -1;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double length =
-      (mesh.GetPoint(corners[(i + 1) % 3]) - mesh.GetPoint(corners[(i + 2) % 3]))
-        .cast<double>()
-        .squaredNorm();
-    if (length > longest)
-    {
-      longest = length;
-      middle = i;
-    }
-  }
-  const Vector3d a = (mesh.GetPoint(corners[1]) - mesh.GetPoint(corners[0])).cast<double>();
-  const Vector3d b = (mesh.GetPoint(corners[2]) - mesh.GetPoint(corners[0])).cast<double>();
-  return a.cross(b).norm() > 1e-7 * longest ? -1 : middle;
-}
-
-//------------------------------------------------------------------------------
-/// Needles close the gaps of T-junctions. To drop one would open the surface, so its long edge is
-/// flipped: the triangle across that edge is parted at the needle's middle corner instead. What can
-/// not be mended so is dropped.
-void MendNeedles(TriangleMesh& mesh, PreparedSurface& surface)
-{
-  constexpr int rounds = 8; // needles upon needles
-  for (int round = 0; round < rounds; ++round)
-  {
-    std::vector<signed char> middles(mesh.GetNumberOfTriangles());
-    vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType t = begin; t < end; ++t)
-        {
-          middles[t] = static_cast<signed char>(
-            FindMiddleCorner(mesh, mesh.GetTriangle(static_cast<Index>(t))));
-        }
-      });
-    if (std::all_of(middles.begin(), middles.end(), [](signed char m) { return m < 0; }))
-    {
-      return;
-    }
-    std::vector<Triangle>& triangles = surface.Triangles;
-    std::vector<unsigned char> touched(triangles.size(), 0);
-    vtkIdType flipped = 0;
-    mesh.BuildNeighbours();
-    for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
-    {
-      if (middles[t] < 0)
-      {
-        continue;
-      }
-      const Index other = mesh.GetNeighbour(t, (middles[t] + 1) % 3);
-      if (other < 0 || middles[other] >= 0 || touched[t] || touched[other])
-      {
-        continue;
-      }
-      const Index middle = triangles[t][middles[t]];
-      int apex = 0;
-      while (std::find(triangles[t].begin(), triangles[t].end(), triangles[other][apex]) !=
-        triangles[t].end())
-      {
-        if (++apex == 3)
-        {
-          break;
-        }
-      }
-      if (apex == 3)
-      {
-        continue;
-      }
-      const Index from = triangles[other][(apex + 1) % 3];
-      const Index to = triangles[other][(apex + 2) % 3];
-      triangles[t] = { middle, to, triangles[other][apex] };
-      triangles[other] = { from, middle, triangles[other][apex] };
-      surface.SourceCells[t] = surface.SourceCells[other];
-      touched[t] = touched[other] = 1;
-      ++flipped;
-    }
-    const bool last = flipped == 0 || round == rounds - 1;
-    if (last)
-    {
-      surface.Counts.DegenerateTriangles += KeepTriangles(triangles, surface.SourceCells,
-        [&](std::size_t t) { return FindMiddleCorner(mesh, triangles[t]) < 0; });
-    }
-    surface.Counts.FlippedNeedles += flipped;
-    mesh = TriangleMesh(mesh.GetPoints(), triangles, mesh.GetOrigin());
-    if (last)
-    {
-      return;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Drops triangles with the same three points as an earlier one.
-void DropDuplicates(TriangleMesh& mesh, PreparedSurface& surface)
-{
-  mesh.BuildIncidence();
-  std::vector<unsigned char> isDuplicate(mesh.GetNumberOfTriangles(), 0);
-  vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType t = begin; t < end; ++t)
-      {
-        Triangle corners = mesh.GetTriangle(static_cast<Index>(t));
-        for (int i = 1; i < 3; ++i)
-        {
-          if (mesh.GetNumberOfIncident(corners[i]) < mesh.GetNumberOfIncident(corners[0]))
-          {
-            std::swap(corners[i], corners[0]);
-          }
-        }
-        for (const Index* o = mesh.IncidentBegin(corners[0]); *o < t; ++o)
-        {
-          const Triangle& other = mesh.GetTriangle(*o);
-          const auto has = [&](Index p) { return other[0] == p || other[1] == p || other[2] == p; };
-          if (has(corners[1]) && has(corners[2]))
-          {
-            isDuplicate[t] = 1;
-            break;
-          }
-        }
-      }
-    });
-  surface.Counts.DuplicateTriangles = KeepTriangles(
-    surface.Triangles, surface.SourceCells, [&](std::size_t t) { return !isDuplicate[t]; });
-  if (surface.Counts.DuplicateTriangles > 0)
-  {
-    mesh = TriangleMesh(mesh.GetPoints(), surface.Triangles, mesh.GetOrigin());
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -240,209 +85,235 @@ TriangleMesh MakeMesh(const std::vector<Vector3d>& points, PreparedSurface& surf
 }
 
 //------------------------------------------------------------------------------
-/// Drops points that no triangle uses any more.
-void DropUnusedPoints(TriangleMesh& mesh, PreparedSurface& surface)
+/// The steps, in the order in which they are taken. Each leaves the triangles of the surface and
+/// those of the mesh the same.
+class Preparation
 {
-  std::vector<Index> numbers(surface.SourcePoints.size(), -1);
-  for (const Triangle& triangle : surface.Triangles)
+public:
+  Preparation(vtkPolyData* input, const SurfacePreparationOptions& options)
+    : Input(input), Options(options)
   {
-    for (Index corner : triangle)
-    {
-      numbers[corner] = 0;
-    }
   }
-  if (std::find(numbers.begin(), numbers.end(), -1) == numbers.end())
-  {
-    return;
-  }
-  std::size_t kept = 0;
-  std::vector<TriangleMesh::Vector> points;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] == 0)
-    {
-      points.push_back(mesh.GetPoint(static_cast<Index>(i)));
-      surface.SourcePoints[kept] = surface.SourcePoints[i];
-      numbers[i] = static_cast<Index>(kept++);
-    }
-  }
-  surface.SourcePoints.resize(kept);
-  for (Triangle& triangle : surface.Triangles)
-  {
-    for (Index& corner : triangle)
-    {
-      corner = numbers[corner];
-    }
-  }
-  mesh = TriangleMesh(std::move(points), surface.Triangles, mesh.GetOrigin());
-}
 
-//------------------------------------------------------------------------------
-void CountEdges(const TriangleMesh& mesh, SurfacePreparationCounts& counts)
-{
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  PreparedSurface Run(const Progress& progress)
   {
-    for (int e = 0; e < 3; ++e)
+    using Step = void (Preparation::*)();
+    // Each with its share of the time that the whole takes, about.
+    const std::pair<Step, double> steps[] = { { &Preparation::Triangulate, 0.15 },
+      { &Preparation::Weld, 0.15 }, { &Preparation::Clean, 0.3 },
+      { &Preparation::SplitNonManifold, 0.1 }, { &Preparation::Orient, 0.15 },
+      { &Preparation::Fill, 0.0 }, { &Preparation::SplitCreases, 0.15 } };
+    double done = 0.0;
+    for (const auto& [step, share] : steps)
     {
-      const Index neighbour = mesh.GetNeighbour(t, e);
-      counts.BoundaryEdges += neighbour == TriangleMesh::Boundary;
-      if (neighbour == TriangleMesh::NonManifold)
+      if (!progress(done))
       {
-        // Counted by the first of its triangles.
-        const Triangle& corners = mesh.GetTriangle(t);
-        const Index to = corners[(e + 1) % 3];
-        const Index* first = mesh.IncidentBegin(corners[e]);
-        const auto has = [&](Index other)
-        {
-          const Triangle& o = mesh.GetTriangle(other);
-          return o[0] == to || o[1] == to || o[2] == to;
-        };
-        while (!has(*first))
-        {
-          ++first;
-        }
-        counts.NonManifoldEdges += *first == t;
+        return {};
       }
+      (this->*step)();
+      done += share;
     }
+    return progress(1.0) ? std::move(this->Surface) : PreparedSurface();
   }
-}
-}
 
-//------------------------------------------------------------------------------
-vtkIdType OrientTriangles(TriangleMesh& mesh)
-{
-  const Index numberOfTriangles = mesh.GetNumberOfTriangles();
-  std::vector<unsigned char> seen(numberOfTriangles, 0);
-  std::vector<unsigned char> turned(numberOfTriangles, 0);
-  std::vector<Index> component;
-  vtkIdType count = 0;
-  for (Index seed = 0; seed < numberOfTriangles; ++seed)
+private:
+  void Triangulate()
   {
-    if (seen[seed])
-    {
-      continue;
-    }
-    component.assign(1, seed);
-    seen[seed] = 1;
-    bool isClosed = true;
-    std::size_t numberOfTurned = 0;
-    double volume = 0.0;
-    const Vector3d apex = mesh.GetPoint(mesh.GetTriangle(seed)[0]).cast<double>();
-    for (std::size_t i = 0; i < component.size(); ++i)
-    {
-      const Index t = component[i];
-      const Triangle corners = mesh.GetTriangle(t);
-      numberOfTurned += turned[t];
-      volume +=
-        (mesh.GetPoint(corners[0]).cast<double>() - apex).dot(mesh.GetAreaNormal(t).cast<double>());
-      for (int e = 0; e < 3; ++e)
-      {
-        const Index next = mesh.GetNeighbour(t, e);
-        if (next < 0)
-        {
-          isClosed = false;
-        }
-        else if (!seen[next])
-        {
-          seen[next] = 1;
-          component.push_back(next);
-          const Triangle& other = mesh.GetTriangle(next);
-          for (int o = 0; o < 3; ++o)
-          {
-            if (other[o] == corners[e] && other[(o + 1) % 3] == corners[(e + 1) % 3])
-            {
-              turned[next] = 1;
-              mesh.Flip(next);
-              break;
-            }
-          }
-        }
-      }
-    }
-    const bool turnAll =
-      isClosed && volume != 0.0 ? volume < 0.0 : 2 * numberOfTurned > component.size();
-    if (turnAll)
-    {
-      for (Index t : component)
-      {
-        mesh.Flip(t);
-      }
-      numberOfTurned = component.size() - numberOfTurned;
-    }
-    count += static_cast<vtkIdType>(numberOfTurned);
+    this->Points = ReadPoints(this->Input);
+    PolygonTriangles polygons = GetPolygonTriangles(this->Input, this->Points);
+    this->Surface.Triangles = std::move(polygons.Triangles);
+    this->Surface.SourceCells = std::move(polygons.Cells);
+    this->Counts.DroppedCells = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
+    this->Counts.TriangulatedCells = polygons.NumberOfTriangulatedCells;
+    this->Counts.NonFiniteTriangles = polygons.NumberOfBadTriangles;
   }
-  return count;
-}
 
-//------------------------------------------------------------------------------
-PreparedSurface PrepareSurface(vtkPolyData* input, const SurfacePreparationOptions& options)
-{
-  PreparedSurface surface;
-  SurfacePreparationCounts& counts = surface.Counts;
-  const std::vector<Vector3d> points = ReadPoints(input);
-  PolygonTriangles polygons = GetPolygonTriangles(input, points);
-  surface.Triangles = std::move(polygons.Triangles);
-  surface.SourceCells = std::move(polygons.Cells);
-  counts.DroppedCells = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  counts.TriangulatedCells = polygons.NumberOfTriangulatedCells;
-  counts.NonFiniteTriangles = polygons.NumberOfBadTriangles;
-
-  if (options.Weld)
+  void Weld()
   {
-    const std::vector<Index> firsts = FindCoincidentPoints(points, options.WeldTolerance);
+    if (!this->Options.Weld)
+    {
+      return;
+    }
+    double tolerance = 0.0;
+    if (this->Options.WeldTolerance > 0.0)
+    {
+      // The scale of the surface as it comes; to weld hardly changes it.
+      PreparedSurface unwelded = this->Surface;
+      tolerance =
+        this->Options.WeldTolerance * GetLengthScale(this->Input, MakeMesh(this->Points, unwelded));
+    }
+    const std::vector<Index> firsts = FindCoincidentPoints(this->Points, tolerance);
     for (std::size_t i = 0; i < firsts.size(); ++i)
     {
-      counts.WeldedPoints += firsts[i] != static_cast<Index>(i);
+      this->Counts.WeldedPoints += firsts[i] != static_cast<Index>(i);
     }
-    for (Triangle& triangle : surface.Triangles)
+    for (Triangle& triangle : this->Surface.Triangles)
     {
       triangle = { firsts[triangle[0]], firsts[triangle[1]], firsts[triangle[2]] };
     }
   }
-  counts.DegenerateTriangles = KeepTriangles(surface.Triangles, surface.SourceCells,
-    [&](std::size_t t)
-    {
-      const Triangle& c = surface.Triangles[t];
-      return c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
-    });
 
-  TriangleMesh mesh = MakeMesh(points, surface);
-  MendNeedles(mesh, surface);
-  DropDuplicates(mesh, surface);
-  DropUnusedPoints(mesh, surface);
-  mesh.BuildNeighbours();
-  CountEdges(mesh, counts);
-  surface.LengthScale = mesh.ComputeLengthScale();
-  if (options.Orient)
+  void Clean()
   {
-    counts.ReorientedTriangles = OrientTriangles(mesh);
-  }
-  surface.Triangles = mesh.GetTriangles();
-  const Index numberOfWelded = static_cast<Index>(surface.SourcePoints.size());
-  counts.UnusedPoints =
-    static_cast<vtkIdType>(points.size()) - counts.WeldedPoints - numberOfWelded;
-  surface.WeldedPointIds.resize(numberOfWelded);
-  for (Index i = 0; i < numberOfWelded; ++i)
-  {
-    surface.WeldedPointIds[i] = i;
+    this->Counts.DegenerateTriangles = DropCollapsedTriangles(this->Surface);
+    this->Mesh = MakeMesh(this->Points, this->Surface);
+    MendNeedles(this->Mesh, this->Surface);
+    DropDuplicates(this->Mesh, this->Surface);
+    DropUnusedPoints(this->Mesh, this->Surface);
+    this->Mesh.BuildNeighbours();
+    this->Surface.LengthScale = this->Mesh.ComputeLengthScale();
+    this->NumberOfWeldedPoints = this->Mesh.GetNumberOfPoints();
+    this->Counts.UnusedPoints = static_cast<vtkIdType>(this->Points.size()) -
+      this->Counts.WeldedPoints - this->NumberOfWeldedPoints;
+    this->Surface.WeldedPointIds.resize(this->NumberOfWeldedPoints);
+    std::iota(this->Surface.WeldedPointIds.begin(), this->Surface.WeldedPointIds.end(), 0);
   }
 
-  if (options.SplitCreases)
+  void SplitNonManifold()
   {
-    const EdgeFlags creases = FindCreases(mesh, options.CreaseAngle);
-    for (const auto& flags : creases)
+    for (Index t = 0; t < this->Mesh.GetNumberOfTriangles(); ++t)
     {
-      counts.CreaseEdges += flags[0] + flags[1] + flags[2];
+      for (int e = 0; e < 3; ++e)
+      {
+        this->Counts.BoundaryEdges += this->Mesh.GetNeighbour(t, e) == TriangleMesh::Boundary;
+      }
     }
-    counts.CreaseEdges /= 2;
-    const std::vector<Index> originals = SplitPoints(mesh, creases, surface.Triangles);
+    const NonManifoldCounts found = CountNonManifold(this->Mesh);
+    this->Counts.NonManifoldEdges = found.Edges;
+    this->Counts.NonManifoldPoints = found.Points;
+    if (found.Edges + found.Points > 0)
+    {
+      this->SplitFans();
+    }
+  }
+
+  void SplitFans()
+  {
+    if (this->Options.SplitNonManifold)
+    {
+      this->Counts.NonManifoldSplitPoints = this->Split({}, false);
+      this->RebuildMesh();
+    }
+  }
+
+  void Orient()
+  {
+    if (!this->Options.Orient)
+    {
+      return;
+    }
+    OrientTriangles(this->Mesh);
+    // Those that fill a hole are new, and what is turned twice is as it was.
+    this->IsTurned.resize(this->Surface.Triangles.size() - this->Counts.FillingTriangles, 0);
+    for (std::size_t t = 0; t < this->IsTurned.size(); ++t)
+    {
+      this->IsTurned[t] ^=
+        this->Surface.Triangles[t] != this->Mesh.GetTriangle(static_cast<Index>(t));
+    }
+    this->Counts.ReorientedTriangles = std::count(this->IsTurned.begin(), this->IsTurned.end(), 1);
+    this->Surface.Triangles = this->Mesh.GetTriangles();
+    const EdgeFlags disagreements = FindDisagreements(this->Mesh);
+    this->Counts.NonOrientableEdges = CountEdges(disagreements);
+    if (this->Options.SplitNonManifold && this->Counts.NonOrientableEdges > 0)
+    {
+      this->Counts.NonManifoldSplitPoints += this->Split(disagreements, true);
+      this->RebuildMesh();
+    }
+  }
+
+  void Fill()
+  {
+    if (this->Options.FillHoles <= 0.0)
+    {
+      return;
+    }
+    // Not the slits that splitting made: a hole's border may pass through a bow tie, too.
+    this->JoinSplitPoints();
+    const HoleFilling filling =
+      FillHoles(this->Mesh, this->Options.FillHoles * GetLengthScale(this->Input, this->Mesh));
+    this->Counts.FilledHoles = filling.FilledHoles;
+    this->Counts.OpenHoles = filling.OpenHoles;
+    this->Counts.FillingTriangles = static_cast<vtkIdType>(filling.Triangles.size());
+    for (std::size_t i = 0; i < filling.Triangles.size(); ++i)
+    {
+      this->Surface.Triangles.push_back(filling.Triangles[i]);
+      this->Surface.SourceCells.push_back(this->Surface.SourceCells[filling.Neighbours[i]]);
+    }
+    this->RebuildMesh();
+    this->SplitFans();
+    // What has been closed now has an outside.
+    this->Orient();
+  }
+
+  void JoinSplitPoints()
+  {
+    for (Triangle& triangle : this->Surface.Triangles)
+    {
+      for (Index& corner : triangle)
+      {
+        corner = this->Surface.WeldedPointIds[corner];
+      }
+    }
+    this->Surface.SourcePoints.resize(this->NumberOfWeldedPoints);
+    this->Surface.WeldedPointIds.resize(this->NumberOfWeldedPoints);
+    this->RebuildMesh();
+  }
+
+  void SplitCreases()
+  {
+    if (!this->Options.SplitCreases)
+    {
+      return;
+    }
+    const EdgeFlags creases = FindCreases(this->Mesh, this->Options.CreaseAngle);
+    this->Counts.CreaseEdges = CountEdges(creases);
+    if (this->Counts.CreaseEdges > 0)
+    {
+      this->Counts.SplitPoints = this->Split(creases, true);
+    }
+  }
+
+  /// Splits the surface's triangles, and not the mesh. Returns how many points it made.
+  vtkIdType Split(const EdgeFlags& cuts, bool onlyAtCuts)
+  {
+    const std::vector<Index> originals =
+      SplitPoints(this->Mesh, cuts, onlyAtCuts, this->Surface.Triangles);
     for (Index original : originals)
     {
-      surface.SourcePoints.push_back(surface.SourcePoints[original]);
-      surface.WeldedPointIds.push_back(original);
+      this->Surface.SourcePoints.push_back(this->Surface.SourcePoints[original]);
+      // Of a copy of a copy, too, the first of all is known.
+      this->Surface.WeldedPointIds.push_back(this->Surface.WeldedPointIds[original]);
     }
-    counts.SplitPoints = static_cast<vtkIdType>(originals.size());
+    return static_cast<vtkIdType>(originals.size());
   }
-  return surface;
+
+  void RebuildMesh()
+  {
+    std::vector<TriangleMesh::Vector> points = this->Mesh.GetPoints();
+    points.resize(std::min(points.size(), this->Surface.WeldedPointIds.size()));
+    for (std::size_t i = points.size(); i < this->Surface.WeldedPointIds.size(); ++i)
+    {
+      points.push_back(points[this->Surface.WeldedPointIds[i]]);
+    }
+    this->Mesh = TriangleMesh(std::move(points), this->Surface.Triangles, this->Mesh.GetOrigin());
+    this->Mesh.BuildNeighbours();
+  }
+
+  vtkPolyData* Input;
+  const SurfacePreparationOptions& Options;
+  PreparedSurface Surface;
+  SurfacePreparationCounts& Counts = this->Surface.Counts;
+  std::vector<Vector3d> Points;
+  TriangleMesh Mesh{ {}, {} };
+  Index NumberOfWeldedPoints = 0;
+  std::vector<unsigned char> IsTurned; ///< for each triangle of before holes were filled
+};
+}
+
+//------------------------------------------------------------------------------
+PreparedSurface PrepareSurface(
+  vtkPolyData* input, const SurfacePreparationOptions& options, const Progress& progress)
+{
+  return Preparation(input, options).Run(progress);
 }
 }

@@ -7,6 +7,7 @@
 #ifndef nprSurfacePreparation_h
 #define nprSurfacePreparation_h
 
+#include "nprProgress.h"
 #include "nprTriangleMesh.h"
 #include "nprVTKCompat.h"
 #include "vtkNPRFiltersSurfacesModule.h"
@@ -24,8 +25,10 @@ namespace npr
 struct SurfacePreparationOptions
 {
   bool Weld = true;
-  double WeldTolerance = 0.0; // length
+  double WeldTolerance = 0.0; // fraction of the length scale
   bool Orient = true;
+  bool SplitNonManifold = true;
+  double FillHoles = 0.0; // longest border, fraction of the length scale
   bool SplitCreases = true;
   double CreaseAngle = 40.0; // degrees
 };
@@ -43,9 +46,15 @@ struct SurfacePreparationCounts
   vtkIdType DuplicateTriangles = 0;  ///< dropped for having the points of an earlier one
   vtkIdType ReorientedTriangles = 0; ///< turned over
   vtkIdType NonManifoldEdges = 0;    ///< edges with more than two triangles
-  vtkIdType BoundaryEdges = 0;       ///< edges with one triangle
-  vtkIdType CreaseEdges = 0;         ///< edges that the mesh was split along
-  vtkIdType SplitPoints = 0;         ///< copies of points made for that
+  vtkIdType NonManifoldPoints = 0;   ///< with several fans of triangles, at none of those edges
+  vtkIdType NonOrientableEdges = 0;  ///< edges whose triangles can not be made to agree
+  vtkIdType NonManifoldSplitPoints = 0; ///< copies of points made for all these
+  vtkIdType BoundaryEdges = 0;          ///< edges with one triangle, before splits and fillings
+  vtkIdType FilledHoles = 0;            ///< closed
+  vtkIdType FillingTriangles = 0;       ///< that did it
+  vtkIdType OpenHoles = 0;              ///< short enough to be filled, but it would have done harm
+  vtkIdType CreaseEdges = 0;            ///< edges that the mesh was split along
+  vtkIdType SplitPoints = 0;            ///< copies of points made for that
 };
 
 struct PreparedSurface
@@ -58,13 +67,9 @@ struct PreparedSurface
   SurfacePreparationCounts Counts;
 };
 
-VTKNPRFILTERSSURFACES_EXPORT PreparedSurface PrepareSurface(
-  vtkPolyData* input, const SurfacePreparationOptions& options);
-
-/// Turns triangles over until neighbours agree and closed components have their normals outside;
-/// open ones keep the side of most of their triangles (needs the neighbours). Returns how many it
-/// turned.
-VTKNPRFILTERSSURFACES_EXPORT vtkIdType OrientTriangles(TriangleMesh& mesh);
+/// An empty surface if `progress` says that it should end.
+VTKNPRFILTERSSURFACES_EXPORT PreparedSurface PrepareSurface(vtkPolyData* input,
+  const SurfacePreparationOptions& options, const Progress& progress = IgnoreProgress);
 }
 
 #endif

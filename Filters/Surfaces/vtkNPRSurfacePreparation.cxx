@@ -4,20 +4,76 @@
 
 #include "nprArrayNames.h"
 #include "nprLengthScale.h"
+#include "nprProgress.h"
 #include "nprSurfaceArrays.h"
 
 #include <vtkCellData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
+#include <iterator>
 #include <sstream>
 
 vtkStandardNewMacro(vtkNPRSurfacePreparation);
+
+namespace
+{
+using Counts = npr::SurfacePreparationCounts;
+
+struct Count
+{
+  vtkIdType Counts::*Value;
+  const char* Name; // of the array's component
+  const char* Text; // in the report, after the number
+};
+
+// In the order in which things are done.
+const Count AllCounts[] = {
+  { &Counts::DroppedCells, "DroppedCells", "vertices and lines dropped" },
+  { &Counts::TriangulatedCells, "TriangulatedCells", "polygons and strips triangulated" },
+  { &Counts::NonFiniteTriangles, "NonFiniteTriangles", "triangles without finite points dropped" },
+  { &Counts::WeldedPoints, "WeldedPoints", "points welded" },
+  { &Counts::UnusedPoints, "UnusedPoints", "unused points dropped" },
+  { &Counts::DegenerateTriangles, "DegenerateTriangles", "triangles without area dropped" },
+  { &Counts::FlippedNeedles, "FlippedNeedles", "needles mended" },
+  { &Counts::DuplicateTriangles, "DuplicateTriangles", "duplicate triangles dropped" },
+  { &Counts::NonManifoldEdges, "NonManifoldEdges", "non-manifold edges" },
+  { &Counts::NonManifoldPoints, "NonManifoldPoints", "non-manifold points off these" },
+  { &Counts::ReorientedTriangles, "ReorientedTriangles", "triangles reoriented" },
+  { &Counts::NonOrientableEdges, "NonOrientableEdges", "edges that can not be oriented" },
+  { &Counts::NonManifoldSplitPoints, "NonManifoldSplitPoints",
+    "points made by splitting into manifolds" },
+  { &Counts::BoundaryEdges, "BoundaryEdges", "boundary edges" },
+  { &Counts::FilledHoles, "FilledHoles", "holes filled" },
+  { &Counts::FillingTriangles, "FillingTriangles", "triangles added to fill them" },
+  { &Counts::OpenHoles, "OpenHoles", "holes left open" },
+  { &Counts::CreaseEdges, "CreaseEdges", "crease edges" },
+  { &Counts::SplitPoints, "SplitPoints", "points made by splitting creases" },
+};
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkIdTypeArray> MakeCountsArray(const Counts& counts)
+{
+  auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+  array->SetName(npr::names::PreparationCounts);
+  array->SetNumberOfComponents(static_cast<int>(std::size(AllCounts)));
+  array->SetNumberOfTuples(1);
+  int component = 0;
+  for (const Count& count : AllCounts)
+  {
+    array->SetComponentName(component, count.Name);
+    array->SetTypedComponent(0, component++, counts.*count.Value);
+  }
+  return array;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkNPRSurfacePreparation::vtkNPRSurfacePreparation() = default;
@@ -32,15 +88,19 @@ int vtkNPRSurfacePreparation::RequestData(
 
   npr::SurfacePreparationOptions options;
   options.Weld = this->Weld;
-  // The scale of the surface as it comes; to weld hardly changes it.
-  options.WeldTolerance =
-    this->WeldTolerance > 0.0 ? this->WeldTolerance * npr::GetLengthScale(input) : 0.0;
+  options.WeldTolerance = this->WeldTolerance;
   options.Orient = this->Orient;
+  options.SplitNonManifold = this->SplitNonManifold;
+  options.FillHoles = this->FillHoles;
   options.SplitCreases = this->SplitCreases;
   options.CreaseAngle = this->CreaseAngle;
-  const npr::PreparedSurface surface = npr::PrepareSurface(input, options);
+  const npr::PreparedSurface surface =
+    npr::PrepareSurface(input, options, npr::ReportTo(this, 0.0, 0.9));
   this->Counts = surface.Counts;
-  this->UpdateProgress(0.8);
+  if (npr::IsAborted(this))
+  {
+    return 1;
+  }
 
   npr::SetTriangles(output, surface.Triangles);
   npr::SelectPoints(input, surface.SourcePoints, output);
@@ -54,38 +114,25 @@ int vtkNPRSurfacePreparation::RequestData(
   output->GetPointData()->AddArray(weldedPointIds);
 
   output->GetFieldData()->PassData(input->GetFieldData());
+  output->GetFieldData()->AddArray(MakeCountsArray(this->Counts));
   if (!output->GetFieldData()->HasArray(npr::names::LengthScale))
   {
     npr::SetLengthScale(output, surface.LengthScale);
   }
+  vtkVLogF(vtkLogger::VERBOSITY_1, "%s: %s", vtkLogIdentifier(this), this->GetReport().c_str());
   return 1;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkNPRSurfacePreparation::GetReport() const
 {
-  const std::pair<vtkIdType, const char*> parts[] = {
-    { this->Counts.DroppedCells, "vertices and lines dropped" },
-    { this->Counts.TriangulatedCells, "polygons and strips triangulated" },
-    { this->Counts.NonFiniteTriangles, "triangles without finite points dropped" },
-    { this->Counts.WeldedPoints, "points welded" },
-    { this->Counts.UnusedPoints, "unused points dropped" },
-    { this->Counts.DegenerateTriangles, "triangles without area dropped" },
-    { this->Counts.FlippedNeedles, "needles mended" },
-    { this->Counts.DuplicateTriangles, "duplicate triangles dropped" },
-    { this->Counts.ReorientedTriangles, "triangles reoriented" },
-    { this->Counts.NonManifoldEdges, "non-manifold edges" },
-    { this->Counts.BoundaryEdges, "boundary edges" },
-    { this->Counts.CreaseEdges, "crease edges" },
-    { this->Counts.SplitPoints, "points made by splitting creases" },
-  };
   std::ostringstream report;
   const char* separator = "";
-  for (const auto& part : parts)
+  for (const Count& count : AllCounts)
   {
-    if (part.first > 0)
+    if (this->Counts.*count.Value > 0)
     {
-      report << separator << part.first << " " << part.second;
+      report << separator << this->Counts.*count.Value << " " << count.Text;
       separator = ", ";
     }
   }
@@ -99,6 +146,8 @@ void vtkNPRSurfacePreparation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Weld: " << this->Weld << "\n";
   os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
   os << indent << "Orient: " << this->Orient << "\n";
+  os << indent << "SplitNonManifold: " << this->SplitNonManifold << "\n";
+  os << indent << "FillHoles: " << this->FillHoles << "\n";
   os << indent << "SplitCreases: " << this->SplitCreases << "\n";
   os << indent << "CreaseAngle: " << this->CreaseAngle << "\n";
   os << indent << "Report: " << this->GetReport() << "\n";

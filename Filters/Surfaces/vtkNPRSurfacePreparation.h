@@ -7,16 +7,22 @@
  * In this order: polygons and strips are triangulated, and cells without a surface dropped;
  * triangles with points that are NaN or infinite dropped; points in the same place welded (all
  * attributes are those of the first, so texture coordinates may differ at seams: shade the original
- * mesh, or set Weld off); triangles without area and duplicates dropped; triangles oriented alike
- * across edges that have two, with the normals of closed components outside, and open ones left as
- * most of their triangles were; and the surface split into smooth patches along its creases, so
- * that normals and curvatures there are those of either side and nothing is smeared across.
+ * mesh, or set Weld off); triangles without area and duplicates dropped; the surface split where it
+ * is no manifold, so that each edge has at most two triangles and each point one fan of them;
+ * triangles oriented alike across edges that have two, with the normals of closed components
+ * outside, and open ones left as most of their triangles were; small holes filled, if asked for;
+ * and the surface split into smooth patches along its creases, so that normals and curvatures there
+ * are those of either side and nothing is smeared across.
  *
- * Point and cell arrays pass. The output has the point array WeldedPointIds (for copies that the
- * split made the point they were copied from, for all others their own id; copies follow at the
+ * Points keep their precision, and point and cell arrays pass; triangles that fill a hole have the
+ * cell data of a triangle beside it. The output has the point array WeldedPointIds (for copies that
+ * a split made the point they were copied from, for all others their own id; copies follow at the
  * end) and the field data LengthScale, unless the input has one.
  *
- * What was done can be asked for count by count, or as one line: GetReport().
+ * What was found and done can be asked for count by count, or as one line: GetReport(), which also
+ * goes to vtkLogger at verbosity 1. It travels with the surface, too, as the field data array
+ * PreparationCounts: one tuple whose components have the counts' names, so that readers of files
+ * and ParaView's spreadsheet see it.
  * @sa vtkNPRSurfaceNormals vtkNPRSurfaceRefinement
  */
 #ifndef vtkNPRSurfacePreparation_h
@@ -55,8 +61,24 @@ public:
   ///@}
 
   ///@{
-  /// Whether the surface is split along its creases (and where it is not a manifold). Default is
-  /// on.
+  /// Whether the surface is split at edges of more than two triangles, at points where several fans
+  /// of triangles meet, and, if triangles are oriented, along edges where they can not agree, as on
+  /// a Moebius strip. Only copies of points are made; nothing moves. Default is on.
+  vtkSetMacro(SplitNonManifold, bool);
+  vtkGetMacro(SplitNonManifold, bool);
+  vtkBooleanMacro(SplitNonManifold, bool);
+  ///@}
+
+  ///@{
+  /// Holes whose border is at most so long are filled with triangles between its points; as a
+  /// fraction of the surface's length scale, default 0: none. A sphere's equator has 6.28. What is
+  /// taken for a hole, and how it is filled, says npr::FillHoles.
+  vtkSetClampMacro(FillHoles, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FillHoles, double);
+  ///@}
+
+  ///@{
+  /// Whether the surface is split along its creases. Default is on.
   vtkSetMacro(SplitCreases, bool);
   vtkGetMacro(SplitCreases, bool);
   vtkBooleanMacro(SplitCreases, bool);
@@ -91,11 +113,26 @@ public:
   vtkIdType GetNumberOfReorientedTriangles() const { return this->Counts.ReorientedTriangles; }
   /// Edges with more than two triangles.
   vtkIdType GetNumberOfNonManifoldEdges() const { return this->Counts.NonManifoldEdges; }
-  /// Edges with one triangle.
+  /// Points with several fans of triangles that are at no such edge.
+  vtkIdType GetNumberOfNonManifoldPoints() const { return this->Counts.NonManifoldPoints; }
+  /// Edges whose two triangles can not be made to agree; none if triangles are not oriented.
+  vtkIdType GetNumberOfNonOrientableEdges() const { return this->Counts.NonOrientableEdges; }
+  /// Copies of points made to split the surface at all these.
+  vtkIdType GetNumberOfNonManifoldSplitPoints() const
+  {
+    return this->Counts.NonManifoldSplitPoints;
+  }
+  /// Edges with one triangle, before anything was split or filled.
   vtkIdType GetNumberOfBoundaryEdges() const { return this->Counts.BoundaryEdges; }
-  /// Edges that the surface was split along.
+  /// Holes that were filled.
+  vtkIdType GetNumberOfFilledHoles() const { return this->Counts.FilledHoles; }
+  /// Triangles that fill them.
+  vtkIdType GetNumberOfFillingTriangles() const { return this->Counts.FillingTriangles; }
+  /// Borders short enough to be a hole's that were left open, since filling would do harm.
+  vtkIdType GetNumberOfOpenHoles() const { return this->Counts.OpenHoles; }
+  /// Creases that the surface was split along.
   vtkIdType GetNumberOfCreaseEdges() const { return this->Counts.CreaseEdges; }
-  /// Copies of points that the split made.
+  /// Copies of points made for that.
   vtkIdType GetNumberOfSplitPoints() const { return this->Counts.SplitPoints; }
   /// All of it that is not zero, in one line.
   std::string GetReport() const;
@@ -114,6 +151,8 @@ private:
   bool Weld = true;
   double WeldTolerance = 0.0;
   bool Orient = true;
+  bool SplitNonManifold = true;
+  double FillHoles = 0.0;
   bool SplitCreases = true;
   double CreaseAngle = 40.0;
   npr::SurfacePreparationCounts Counts;
