@@ -28,6 +28,7 @@ endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${NPR_VTK_COMPONENTS} ${build_components})
 
 find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(OpenMesh REQUIRED CONFIG)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 if (NPR_USE_OPENVDB)
