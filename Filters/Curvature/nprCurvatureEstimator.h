@@ -29,6 +29,8 @@ struct CurvatureEstimate
   Tuples<4> Derivatives;
   /// 1 where nothing can be said; tensor and derivatives are zero there.
   std::vector<unsigned char> Unknown;
+  /// The radius of the neighbourhoods in mean edges, where the estimator has one for all points.
+  double Radius = 0.0;
 };
 
 /**

@@ -6,13 +6,17 @@
 #include "nprCurvature.h"
 #include "nprCurvatureDerivatives.h"
 #include "nprFaceCurvature.h"
+#include "nprJets.h"
 #include "nprLengthScale.h"
 #include "nprSurfaceDiffusion.h"
 #include "nprSurfaceNormals.h"
 #include "nprTangentArrays.h"
 
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -20,13 +24,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 vtkStandardNewMacro(vtkNPRCurvatureTensor);
 
 namespace
 {
-constexpr std::array<const char*, 1> EstimatorNames = { "per-face" };
+constexpr std::array<const char*, 3> EstimatorNames = { "per-face", "corrected-measures", "jets" };
+
+/// The radius that comes with the surface, in mean edges; 0 where there is none.
+double GetStoredRadius(vtkPolyData* surface)
+{
+  vtkDataArray* array = surface->GetFieldData()->GetArray(npr::names::NeighbourhoodRadius);
+  const double radius = array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0.0;
+  return radius > 0.0 && std::isfinite(radius) ? radius : 0.0;
+}
+
+void StoreRadius(vtkPolyData* surface, double radius)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(npr::names::NeighbourhoodRadius);
+  array->InsertNextValue(radius);
+  surface->GetFieldData()->AddArray(array);
+}
 
 /// The estimate in the tangent planes of other normals, for users who bring theirs.
 void TurnTo(const npr::Tuples<3>& normals, npr::CurvatureEstimate& estimate)
@@ -85,9 +106,28 @@ int vtkNPRCurvatureTensor::FindEstimator(const char* name)
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<npr::CurvatureEstimator> vtkNPRCurvatureTensor::MakeEstimator() const
+std::unique_ptr<npr::CurvatureEstimator> vtkNPRCurvatureTensor::MakeEstimator(
+  vtkPolyData* input, const npr::TriangleMesh& mesh) const
 {
-  return std::make_unique<npr::FaceCurvature>();
+  if (this->Estimator != JETS)
+  {
+    return std::make_unique<npr::FaceCurvature>();
+  }
+  npr::Jets::Options options;
+  options.Degree = this->JetDegree;
+  if (this->NeighbourhoodRadius <= 0.0)
+  {
+    options.Radius = GetStoredRadius(input);
+  }
+  else if (this->RadiusUnit == LENGTH_SCALE)
+  {
+    options.Length = this->NeighbourhoodRadius * npr::GetLengthScale(input, mesh);
+  }
+  else
+  {
+    options.Radius = this->NeighbourhoodRadius;
+  }
+  return std::make_unique<npr::Jets>(options);
 }
 
 //------------------------------------------------------------------------------
@@ -105,13 +145,17 @@ int vtkNPRCurvatureTensor::RequestData(
   mesh.BuildIncidence();
   vtkDataArray* const given = npr::FindNormals(input);
   const npr::Tuples<3> normals = npr::GetUnitNormals(mesh, given);
-  const auto estimator = this->MakeEstimator();
+  const auto estimator = this->MakeEstimator(input, mesh);
   npr::CurvatureEstimate estimate =
     estimator->Estimate(mesh, normals, this->OutputDerivatives, npr::ReportTo(this, 0.2, 0.8));
   if (npr::IsAborted(this))
   {
     output->ShallowCopy(input);
     return 1;
+  }
+  if (estimate.Radius > 0.0)
+  {
+    StoreRadius(output, estimate.Radius);
   }
   if (given && estimator->FindsNormals())
   {
@@ -178,6 +222,10 @@ void vtkNPRCurvatureTensor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Estimator: " << GetEstimatorName(this->Estimator) << "\n";
+  os << indent << "NeighbourhoodRadius: " << this->NeighbourhoodRadius << "\n";
+  os << indent << "RadiusUnit: " << (this->RadiusUnit == MEAN_EDGE ? "mean edge" : "length scale")
+     << "\n";
+  os << indent << "JetDegree: " << this->JetDegree << "\n";
   os << indent << "SmoothingRadius: " << this->SmoothingRadius << "\n";
   os << indent << "OutputNormals: " << this->OutputNormals << "\n";
   os << indent << "OutputTensor: " << this->OutputTensor << "\n";

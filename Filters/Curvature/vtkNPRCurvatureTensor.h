@@ -45,6 +45,7 @@
 namespace npr
 {
 class CurvatureEstimator;
+class TriangleMesh;
 }
 #endif
 
@@ -61,13 +62,51 @@ public:
     /// From the triangles at a point (Rusinkiewicz 2004). The fastest; it converges with the square
     /// of the edge length on regular meshes, and stalls at a few per cent on irregular ones, where
     /// the derivatives do not converge at all.
-    PER_FACE = 0
+    PER_FACE = 0,
+    /// From polynomials fitted to the points around (Cazals and Pouget 2005; see nprJets.h). Both
+    /// curvature and its derivatives converge on irregular meshes, on noisy ones and at borders.
+    JETS = 2
   };
   ///@{
-  /// Default is PER_FACE.
-  vtkSetClampMacro(Estimator, int, PER_FACE, PER_FACE);
+  /// Default is JETS.
+  vtkSetClampMacro(Estimator, int, PER_FACE, JETS);
   vtkGetMacro(Estimator, int);
   void SetEstimatorToPerFace() { this->SetEstimator(PER_FACE); }
+  void SetEstimatorToJets() { this->SetEstimator(JETS); }
+  ///@}
+
+  ///@{
+  /// How far the estimate looks, in the unit of RadiusUnit; PER_FACE always takes one ring. 0 (the
+  /// default) chooses by the surface's noise, about 3 mean edges on a clean one; what that came to
+  /// stands in the output's field data array "NeighbourhoodRadius" (mean edges), and where the
+  /// input has that array it holds, so that the parts of a surface and the frames of an animation
+  /// can share one. JETS takes from 1.5 to 10 mean edges.
+  vtkSetClampMacro(NeighbourhoodRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(NeighbourhoodRadius, double);
+  ///@}
+
+  /// What a NeighbourhoodRadius of 1 is.
+  enum RadiusUnitType
+  {
+    /// The mean length of the edges around each point: the radius follows the mesh's density.
+    MEAN_EDGE = 0,
+    /// The surface's length scale (nprLengthScale.h): the same radius everywhere, on every mesh of
+    /// the surface.
+    LENGTH_SCALE = 1
+  };
+  ///@{
+  /// Default is MEAN_EDGE.
+  vtkSetClampMacro(RadiusUnit, int, MEAN_EDGE, LENGTH_SCALE);
+  vtkGetMacro(RadiusUnit, int);
+  void SetRadiusUnitToMeanEdge() { this->SetRadiusUnit(MEAN_EDGE); }
+  void SetRadiusUnitToLengthScale() { this->SetRadiusUnit(LENGTH_SCALE); }
+  ///@}
+
+  ///@{
+  /// Degree of the polynomials of JETS, 2 to 4. Default is 4; lower ones are faster and less
+  /// accurate, and with 2 the derivatives do not converge.
+  vtkSetClampMacro(JetDegree, int, 2, 4);
+  vtkGetMacro(JetDegree, int);
   ///@}
 
   /// The estimators by the names that users write, such as "per-face".
@@ -139,10 +178,14 @@ private:
   void operator=(const vtkNPRCurvatureTensor&) = delete;
 
 #ifndef __VTK_WRAP__
-  std::unique_ptr<npr::CurvatureEstimator> MakeEstimator() const;
+  std::unique_ptr<npr::CurvatureEstimator> MakeEstimator(
+    vtkPolyData* input, const npr::TriangleMesh& mesh) const;
 #endif
 
-  int Estimator = PER_FACE;
+  int Estimator = JETS;
+  double NeighbourhoodRadius = 0.0;
+  int RadiusUnit = MEAN_EDGE;
+  int JetDegree = 4;
   double SmoothingRadius = 0.0;
   bool OutputNormals = true;
   bool OutputTensor = true;

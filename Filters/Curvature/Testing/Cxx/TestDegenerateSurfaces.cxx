@@ -64,12 +64,15 @@ void CheckFinite(vtkPolyData* output, const std::string& name, Checks& check)
   }
 }
 
-/// With and without the preparation, and with a refinement in between.
+/// With and without the preparation, with each estimator, and with a refinement in between.
 void TestInput(const std::string& name, vtkPolyData* mesh, Checks& check)
 {
-  for (bool prepared : { true, false })
+  for (int i = 0; i < 2 * vtkNPRCurvatureTensor::GetNumberOfEstimators(); ++i)
   {
+    const bool prepared = i % 2 == 0;
+    const int estimator = i / 2;
     Pipeline pipeline(mesh);
+    pipeline.Tensor->SetEstimator(estimator);
     pipeline.Tensor->SetSmoothingRadius(0.1);
     pipeline.Derivatives->SetSmoothingRadius(0.1);
     vtkNew<vtkNPRSurfaceRefinement> refinement;
@@ -80,14 +83,17 @@ void TestInput(const std::string& name, vtkPolyData* mesh, Checks& check)
     {
       pipeline.Normals->SetInputData(mesh);
     }
-    CheckFinite(pipeline.Update(), name + (prepared ? ", prepared" : ", raw"), check);
+    CheckFinite(pipeline.Update(),
+      name + (prepared ? ", prepared, " : ", raw, ") +
+        vtkNPRCurvatureTensor::GetEstimatorName(estimator),
+      check);
   }
 }
 
 void TestMissingArrays(Checks& check)
 {
   // The curvature without normals makes its own; with bad ones it mends them.
-  AnalyticSurface torus = MakeTorus(1.0, 0.4, 32, 16);
+  AnalyticSurface torus = MakeTorus(1.0, 0.4, 64, 32);
   vtkNew<vtkNPRCurvatureTensor> tensor;
   tensor->SetInputData(torus.Mesh);
   tensor->Update();

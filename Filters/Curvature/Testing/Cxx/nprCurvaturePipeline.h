@@ -27,8 +27,11 @@ struct Pipeline
   vtkNew<vtkNPRCurvatureTensor> Tensor;
   vtkNew<vtkNPRCurvatureDerivatives> Derivatives;
 
+  /// With the estimator that vtkNPRCurvatureDerivatives belongs to; see TestCurvatureJets for the
+  /// default one.
   explicit Pipeline(vtkPolyData* mesh)
   {
+    this->Tensor->SetEstimatorToPerFace();
     this->Preparation->SetInputData(mesh);
     this->Normals->SetInputConnection(this->Preparation->GetOutputPort());
     this->Tensor->SetInputConnection(this->Normals->GetOutputPort());

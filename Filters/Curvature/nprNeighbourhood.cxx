@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprNeighbourhood.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+
+namespace npr
+{
+//------------------------------------------------------------------------------
+PointGraph::PointGraph(const TriangleMesh& mesh)
+{
+  const auto collect = [&mesh](Index point, std::vector<Index>& others)
+  {
+    others.clear();
+    for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+    {
+      for (Index corner : mesh.GetTriangle(*t))
+      {
+        if (corner != point)
+        {
+          others.push_back(corner);
+        }
+      }
+    }
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+  };
+  const Index size = mesh.GetNumberOfPoints();
+  this->Offsets.assign(size + 1, 0);
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Index> others;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        collect(static_cast<Index>(i), others);
+        this->Offsets[i + 1] = static_cast<Index>(others.size());
+      }
+    });
+  for (Index i = 0; i < size; ++i)
+  {
+    this->Offsets[i + 1] += this->Offsets[i];
+  }
+  this->Neighbours.resize(this->Offsets.back());
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Index> others;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        collect(static_cast<Index>(i), others);
+        std::copy(others.begin(), others.end(), this->Neighbours.begin() + this->Offsets[i]);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> ComputeMeanEdges(const TriangleMesh& mesh, const PointGraph& graph)
+{
+  using Index = TriangleMesh::Index;
+  const auto average = [&](const auto& value, bool self)
+  {
+    std::vector<float> means(mesh.GetNumberOfPoints(), 0.0f);
+    vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const auto point = static_cast<Index>(i);
+          double sum = self ? value(point, point) : 0.0;
+          for (const Index* other = graph.Begin(point); other != graph.End(point); ++other)
+          {
+            sum += value(point, *other);
+          }
+          const auto count = graph.End(point) - graph.Begin(point);
+          means[i] = count > 0 ? static_cast<float>(sum / (count + self)) : 0.0f;
+        }
+      });
+    return means;
+  };
+  const std::vector<float> edges = average([&](Index point, Index other)
+    { return (mesh.GetPoint(other) - mesh.GetPoint(point)).cast<double>().norm(); },
+    false);
+  return average([&](Index, Index other) { return static_cast<double>(edges[other]); }, true);
+}
+
+//------------------------------------------------------------------------------
+Neighbourhood::Neighbourhood(
+  const TriangleMesh& mesh, const PointGraph& graph, const Tuples<3>& normals)
+  : Mesh(&mesh), Graph(&graph), Normals(&normals)
+{
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t Neighbourhood::NextStamp()
+{
+  if (++this->Stamp == 0)
+  {
+    std::fill(this->PointStamps.begin(), this->PointStamps.end(), 0);
+    std::fill(this->TriangleStamps.begin(), this->TriangleStamps.end(), 0);
+    this->Stamp = 1;
+  }
+  return this->Stamp;
+}
+
+//------------------------------------------------------------------------------
+void Neighbourhood::Collect(Index centre, double radius, int rings)
+{
+  // Here, so that copies for threads that never collect take no room.
+  this->PointStamps.resize(this->Mesh->GetNumberOfPoints(), 0);
+  const std::uint32_t stamp = this->NextStamp();
+  const TriangleMesh::Vector origin = this->Mesh->GetPoint(centre);
+  const Eigen::Vector3f normal = (*this->Normals)[centre];
+  const double squaredRadius = radius * radius;
+  this->Members.clear();
+  this->Members.push_back({ centre, 1.0f, Eigen::Vector3d::Zero(), 0.0 });
+  this->PointStamps[centre] = stamp;
+  int budget = MaximumSize;
+  std::size_t first = 0;
+  for (int ring = 0; ring < rings && first < this->Members.size(); ++ring)
+  {
+    const std::size_t last = this->Members.size();
+    for (; first < last; ++first)
+    {
+      const Index point = this->Members[first].Point;
+      for (const Index* other = this->Graph->Begin(point); other != this->Graph->End(point);
+           ++other)
+      {
+        if (this->PointStamps[*other] == stamp)
+        {
+          continue;
+        }
+        this->PointStamps[*other] = stamp;
+        if (--budget < 0)
+        {
+          return;
+        }
+        const Eigen::Vector3d offset = (this->Mesh->GetPoint(*other) - origin).cast<double>();
+        const double squaredDistance = offset.squaredNorm();
+        if (!(squaredDistance < squaredRadius))
+        {
+          continue;
+        }
+        const float turn = normal.dot((*this->Normals)[*other]);
+        if (turn > 0.0f)
+        {
+          this->Members.push_back({ *other, turn, offset, squaredDistance });
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Neighbourhood::Index>& Neighbourhood::CollectTriangles()
+{
+  const std::uint32_t stamp = this->NextStamp();
+  this->TriangleStamps.resize(this->Mesh->GetNumberOfTriangles(), 0);
+  this->Triangles.clear();
+  for (const Member& member : this->Members)
+  {
+    for (const Index* t = this->Mesh->IncidentBegin(member.Point);
+         t != this->Mesh->IncidentEnd(member.Point); ++t)
+    {
+      if (this->TriangleStamps[*t] != stamp)
+      {
+        this->TriangleStamps[*t] = stamp;
+        this->Triangles.push_back(*t);
+      }
+    }
+  }
+  return this->Triangles;
+}
+}
