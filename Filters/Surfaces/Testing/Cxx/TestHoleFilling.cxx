@@ -152,6 +152,34 @@ void TestSphere(Checks& check)
 }
 
 //------------------------------------------------------------------------------
+void TestInsideOut(Checks& check)
+{
+  // An open surface keeps its side, but this one is closed in the end, and then has an outside.
+  auto mesh = Puncture(MakeOctasphere(1.0, 3), [](const Vector3d& c) { return c.z() > 0.95; });
+  vtkNew<vtkCellArray> cells;
+  for (const Corners& corners : GetTriangles(mesh))
+  {
+    const vtkIdType turned[3] = { corners[0], corners[2], corners[1] };
+    cells->InsertNextCell(3, turned);
+  }
+  mesh->SetPolys(cells);
+  vtkNew<vtkNPRSurfacePreparation> preparation;
+  preparation->SetInputData(mesh);
+  preparation->SetFillHoles(3.0);
+  preparation->Update();
+  vtkPolyData* const output = preparation->GetOutput();
+  check(preparation->GetNumberOfReorientedTriangles() == mesh->GetNumberOfCells(),
+    "what fills it is not counted as turned",
+    static_cast<double>(preparation->GetNumberOfReorientedTriangles()));
+  for (const Corners& corners : GetTriangles(output))
+  {
+    Vector3d p;
+    output->GetPoint(corners[0], p.data());
+    check(GetAreaVector(output, corners).dot(p) > 0.0, "a closed surface looks out");
+  }
+}
+
+//------------------------------------------------------------------------------
 void TestPlane(Checks& check)
 {
   // A star with deep bays: whatever its outline, exactly the hole is covered, and nothing twice.
@@ -214,6 +242,23 @@ void TestNoHoles(Checks& check)
   auto points = box;
   points.push_back({ 0.5, 0.5, 2.0 });
   expect("a fin on a box", MakeMesh(points, fin), 0, 0);
+  // The lid of a bowl is more than half of what it closes.
+  expect("a bowl", Puncture(MakeOctasphere(1.0, 4), [](const Vector3d& c) { return c.z() < 0.26; }),
+    0, 1);
+  // The shorter diagonal of the hole is an edge already, of a closed thing that stands on it.
+  preparation->SetFillHoles(4.0);
+  preparation->SplitNonManifoldOff();
+  const std::vector<std::array<double, 3>> frame = { { 1, 0, 0 }, { 0, 1.2, 0 }, { -1, 0, 0 },
+    { 0, -1.2, 0 }, { 9, 0, 0 }, { 0, 9, 0 }, { -9, 0, 0 }, { 0, -9, 0 }, { 0, 0.1, 1 },
+    { 0, -0.1, 1 } };
+  expect("a thing on a diagonal",
+    MakeMesh(frame,
+      { { 0, 4, 5 }, { 0, 5, 1 }, { 1, 5, 6 }, { 1, 6, 2 }, { 2, 6, 7 }, { 2, 7, 3 }, { 3, 7, 4 },
+        { 3, 4, 0 }, { 0, 8, 2 }, { 0, 2, 9 }, { 0, 9, 8 }, { 2, 8, 9 } }),
+    1, 0);
+  check(GetShape(preparation->GetOutput()).NonManifoldEdges == 0, "the other one is taken");
+  preparation->SetFillHoles(100.0);
+  preparation->SplitNonManifoldOn();
   // Borders of more edges than the time allows.
   AnalyticSurface tube = MakeCylinder(1.0, 4.0, 500, 3);
   expect("a fine tube", tube.Mesh, 0, 2);
@@ -226,6 +271,7 @@ int TestHoleFilling(int, char*[])
 {
   Checks check;
   TestSphere(check);
+  TestInsideOut(check);
   TestPlane(check);
   TestNoHoles(check);
   return check.GetResult();
