@@ -16,7 +16,9 @@ namespace npr
 namespace names
 {
 // Point arrays of surfaces.
-inline constexpr const char* Normals = "Normals";                 // 3, unit, outward
+inline constexpr const char* Normals = "Normals"; // 3, unit, outward
+/// Before the number of a scale, from 1 on: Normals1, Normals2, each smoother than the last.
+inline constexpr const char* ScaleNormalsPrefix = "Normals";      // 3, unit, outward
 inline constexpr const char* CurvatureTensor = "CurvatureTensor"; // 6, XX YY ZZ XY YZ XZ; 1/length
 inline constexpr const char* PrincipalCurvature1 = "PrincipalCurvature1"; // 1, 1/length
 inline constexpr const char* PrincipalCurvature2 = "PrincipalCurvature2"; // 1, 1/length

@@ -17,11 +17,16 @@ namespace
 using Index = TriangleMesh::Index;
 using Eigen::Vector3d;
 
-/// More would take minutes on large scans; the documentation of the filters says that it ends here.
+/// Of evaluations of the Laplacian: more would take minutes on large scans. The documentation of
+/// the filters says that it ends here.
 constexpr int MaximumNumberOfSteps = 1000;
 
 /// An explicit step is stable up to 1; above it a point would overshoot its neighbours.
 constexpr double LargestStep = 0.8;
+
+/// Into how many parts a long time is cut, so that the long steps follow the heat equation: what is
+/// 1/e after the whole time is then wrong by 4 %.
+constexpr int NumberOfParts = 8;
 
 /// Of half a sum of two cotangents: a triangle's angle of 135 degrees on both sides has -1.
 constexpr double MostNegativeWeight = -0.5;
@@ -136,37 +141,87 @@ TangentFrame SurfaceDiffusion::GetFrame(Index point) const
 void SurfaceDiffusion::Smooth(Field& field, int spin, double radius) const
 {
   const double time = 0.5 * radius * radius;
-  // Steps in which even points with half as much again as the mean rate are followed exactly; only
-  // smaller triangles, which are in balance with their neighbourhood anyway, are held back.
-  const double wanted = std::ceil(1.5 * time * this->MeanRate / LargestStep);
+  // Points with up to half as much again as the mean rate are followed exactly; only smaller
+  // triangles, which are in balance with their neighbourhood anyway, are held back.
+  const double largestRate = 1.5 * this->MeanRate;
+  const double wanted = std::ceil(time * largestRate / LargestStep);
   if (!(wanted >= 1.0))
   {
     return;
   }
-  const int steps = static_cast<int>(std::min<double>(wanted, MaximumNumberOfSteps));
-  const float step = static_cast<float>(time / steps);
-  Field next(field.size());
-  for (int s = 0; s < steps; ++s)
+  // Each part takes as many stages as make it stable: one does the work of one explicit step, s do
+  // that of s (s + 1) / 2. C. D. Meyer, D. S. Balsara, T. D. Aslam, "A second-order accurate Super
+  // TimeStepping formulation for anisotropic thermal conduction", MNRAS 422, 2012: the first order
+  // scheme, by Legendre polynomials.
+  const int parts = static_cast<int>(std::min<double>(wanted, NumberOfParts));
+  int stages = 1;
+  while (
+    0.5 * stages * (stages + 1) * parts < wanted && parts * (stages + 1) <= MaximumNumberOfSteps)
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(field.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          std::complex<float> change = 0.0f;
-          for (Index l = this->Offsets[i]; l < this->Ends[i]; ++l)
-          {
-            const Link& link = this->Links[l];
-            change += link.Weight * (Turn(field[link.To], link.Turning, spin) - field[i]);
-          }
-          const float rate = this->Rates[i];
-          const float factor =
-            step * rate <= LargestStep ? step : static_cast<float>(LargestStep) / rate;
-          next[i] = field[i] + factor * change;
-        }
-      });
-    field.swap(next);
+    ++stages;
   }
+  const double gain = 0.5 * stages * (stages + 1);
+  const double step = std::min(time / parts, gain * LargestStep / largestRate) / gain;
+  const vtkIdType size = static_cast<vtkIdType>(field.size());
+  Field last(field.size());
+  for (int part = 0; part < parts; ++part)
+  {
+    for (int stage = 1; stage <= stages; ++stage)
+    {
+      // The new values are written over the last but one, which nothing needs but the new ones.
+      const float swing = stage == 1 ? 0.0f : static_cast<float>(stage - 1) / stage;
+      const float length = static_cast<float>(step * (2.0 * stage - 1.0) / stage);
+      const float largest = static_cast<float>(largestRate);
+      vtkSMPTools::For(0, size,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            std::complex<float> change = 0.0f;
+            for (Index l = this->Offsets[i]; l < this->Ends[i]; ++l)
+            {
+              const Link& link = this->Links[l];
+              change += link.Weight * (Turn(field[link.To], link.Turning, spin) - field[i]);
+            }
+            const float rate = this->Rates[i];
+            const float factor = rate <= largest ? length : length * largest / rate;
+            last[i] = field[i] + swing * (field[i] - last[i]) + factor * change;
+          }
+        });
+      field.swap(last);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceDiffusion::PreserveFeatures(const TriangleMesh& mesh, double strength, double radius)
+{
+  if (!(strength > 0.0) || !(radius > 0.0))
+  {
+    return;
+  }
+  Tuples<3> smooth = this->Normals;
+  this->SmoothNormals(smooth, 0.5 * radius);
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double rate = 0.0;
+        for (Index l = this->Offsets[i]; l < this->Ends[i]; ++l)
+        {
+          Link& link = this->Links[l];
+          const double turn = (smooth[link.To] - smooth[i]).cast<double>().norm();
+          const double length =
+            (mesh.GetPoint(link.To) - mesh.GetPoint(static_cast<Index>(i))).cast<double>().norm();
+          const double bend = strength * radius * turn / length;
+          // Points in one place have no way to bend.
+          link.Weight *= length > 0.0 ? static_cast<float>(std::exp(-bend * bend)) : 1.0f;
+          rate += std::abs(link.Weight);
+        }
+        this->Rates[i] = static_cast<float>(rate);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,9 @@
  * on the surface and not (to first order) on its triangles; what lies in tangent planes is turned
  * from one to the other, so that nothing is lost on curved surfaces. Nothing flows across borders,
  * and so none across creases where the preparation has split them.
+ *
+ * The work grows with radius / edge length, and ends at 1000 evaluations of the Laplacian: at about
+ * 100 edges.
  */
 #ifndef nprSurfaceDiffusion_h
 #define nprSurfaceDiffusion_h
@@ -27,8 +30,25 @@ namespace npr
 class VTKNPRFILTERSCURVATURE_EXPORT SurfaceDiffusion
 {
 public:
+  /// Smooths nothing.
+  SurfaceDiffusion() = default;
   /// Needs the mesh's incidence, and keeps no reference to mesh or normals.
   SurfaceDiffusion(const TriangleMesh& mesh, const Tuples<3>& normals);
+
+  /**
+   * Lets less flow where the surface bends, so that ridges stay sharp while flat parts are
+   * smoothed, and a ridge is smoothed along itself: along an edge over whose length l the normals
+   * turn by the angle a, the flow is reduced by exp(-(strength radius a / l)^2). The angles are
+   * those of normals smoothed by half the radius, so that noise does not pass for a feature (as P.
+   * Perona, J. Malik, PAMI 12(7), 1990, and F. Catte et al., SIAM J. Numer. Anal. 29(1), 1992, do
+   * for images).
+   *
+   * @param mesh the one that this object was made from
+   * @param strength 0 changes nothing; at 1, what bends with a radius of curvature of `radius` lets
+   * a third through
+   * @param radius of the smoothing to come; length
+   */
+  void PreserveFeatures(const TriangleMesh& mesh, double strength, double radius);
 
   /// The frame that a point's complex values refer to.
   TangentFrame GetFrame(TriangleMesh::Index point) const;

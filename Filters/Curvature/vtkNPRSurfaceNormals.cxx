@@ -4,6 +4,7 @@
 
 #include "nprArrayNames.h"
 #include "nprLengthScale.h"
+#include "nprProgress.h"
 #include "nprSurfaceDiffusion.h"
 #include "nprSurfaceNormals.h"
 
@@ -12,6 +13,9 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+
+#include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkNPRSurfaceNormals);
 
@@ -35,13 +39,45 @@ int vtkNPRSurfaceNormals::RequestData(
   this->UpdateProgress(0.3);
   npr::Tuples<3> normals =
     npr::ComputeNormals(mesh, static_cast<npr::NormalWeights>(this->Weighting));
-  if (this->SmoothingRadius > 0.0)
+  const double lengthScale = npr::GetLengthScale(input, mesh);
+  double smoothed = this->SmoothingRadius * lengthScale;
+  const npr::SurfaceDiffusion plain = this->SmoothingRadius > 0.0 || this->NumberOfScales > 0
+    ? npr::SurfaceDiffusion(mesh, normals)
+    : npr::SurfaceDiffusion();
+  // By `radius`, which brings them to `scale` in all.
+  const auto smooth = [&](double radius, double scale)
   {
-    this->UpdateProgress(0.5);
-    npr::SurfaceDiffusion(mesh, normals)
-      .SmoothNormals(normals, this->SmoothingRadius * npr::GetLengthScale(input));
+    if (this->FeaturePreservation > 0.0)
+    {
+      npr::SurfaceDiffusion preserving = plain;
+      preserving.PreserveFeatures(mesh, this->FeaturePreservation, scale);
+      preserving.SmoothNormals(normals, radius);
+    }
+    else
+    {
+      plain.SmoothNormals(normals, radius);
+    }
+  };
+  if (smoothed > 0.0)
+  {
+    this->UpdateProgress(0.4);
+    smooth(smoothed, smoothed);
   }
-  output->GetPointData()->SetNormals(npr::MakeArray<3>(npr::names::Normals, normals));
+  vtkPointData* const pointData = output->GetPointData();
+  pointData->SetNormals(npr::MakeArray<3>(npr::names::Normals, normals));
+  for (int scale = 1; scale <= this->NumberOfScales && !npr::IsAborted(this); ++scale)
+  {
+    this->UpdateProgress(0.5 + 0.5 * (scale - 1) / this->NumberOfScales);
+    const double wanted = lengthScale * this->ScaleRadius * std::pow(this->ScaleFactor, scale - 1);
+    if (wanted > smoothed)
+    {
+      // Variances add up.
+      smooth(std::sqrt((wanted - smoothed) * (wanted + smoothed)), wanted);
+      smoothed = wanted;
+    }
+    const std::string name = npr::names::ScaleNormalsPrefix + std::to_string(scale);
+    pointData->AddArray(npr::MakeArray<3>(name.c_str(), normals));
+  }
   return 1;
 }
 
@@ -51,4 +87,8 @@ void vtkNPRSurfaceNormals::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Weighting: " << this->Weighting << "\n";
   os << indent << "SmoothingRadius: " << this->SmoothingRadius << "\n";
+  os << indent << "FeaturePreservation: " << this->FeaturePreservation << "\n";
+  os << indent << "NumberOfScales: " << this->NumberOfScales << "\n";
+  os << indent << "ScaleRadius: " << this->ScaleRadius << "\n";
+  os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
 }

@@ -46,9 +46,37 @@ public:
   /// Standard deviation of a smoothing of the normals along the surface, as a fraction of the
   /// surface's length scale (see nprSurfaceDiffusion.h). Nothing flows across creases that the
   /// preparation has split. 0 (the default) does not smooth; useful values go up to about 0.1. The
-  /// work grows with the square of radius / edge length, and ends at 1000 steps.
+  /// work grows with radius / edge length, and ends at about 100 edges.
   vtkSetClampMacro(SmoothingRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SmoothingRadius, double);
+  ///@}
+
+  ///@{
+  /// How well the smoothing keeps ridges and edges: where the surface has a radius of curvature of
+  /// (this times the radius of the smoothing), across the bend a third of the flow is left; what
+  /// bends more is kept, what bends less is smoothed, and along a ridge the flow is free. No unit;
+  /// 0 (the default) smooths everything alike, useful values go up to about 5.
+  vtkSetClampMacro(FeaturePreservation, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FeaturePreservation, double);
+  ///@}
+
+  /// @name Scales
+  /// Arrays Normals1, Normals2 and so on, each smoother than the one before, for shading that shows
+  /// features of every size (S. Rusinkiewicz, M. Burns, D. DeCarlo, "Exaggerated Shading for
+  /// Depicting Shape and Detail", SIGGRAPH 2006). Array i is smoothed by ScaleRadius *
+  /// ScaleFactor^(i - 1), each from the last one, so that all together cost little more than the
+  /// smoothest.
+  ///@{
+  /// How many. Default is 0.
+  vtkSetClampMacro(NumberOfScales, int, 0, 32);
+  vtkGetMacro(NumberOfScales, int);
+  /// Standard deviation of the first scale's smoothing, as a fraction of the surface's length
+  /// scale. Default is 0.01. What is below SmoothingRadius is no smoother than Normals.
+  vtkSetClampMacro(ScaleRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ScaleRadius, double);
+  /// From one scale's radius to the next. No unit; default is the square root of 2.
+  vtkSetClampMacro(ScaleFactor, double, 1.0, 10.0);
+  vtkGetMacro(ScaleFactor, double);
   ///@}
 
 protected:
@@ -63,6 +91,10 @@ private:
 
   int Weighting = MAX;
   double SmoothingRadius = 0.0;
+  double FeaturePreservation = 0.0;
+  int NumberOfScales = 0;
+  double ScaleRadius = 0.01;
+  double ScaleFactor = 1.4142135623730951;
 };
 
 #endif

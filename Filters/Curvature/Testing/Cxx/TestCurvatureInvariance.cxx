@@ -123,6 +123,7 @@ void TestThreads(Checks& check)
       "there are as many threads as asked for");
     Pipeline pipeline(surface.Mesh);
     pipeline.Normals->SetSmoothingRadius(0.03);
+    pipeline.Normals->SetFeaturePreservation(1.0);
     pipeline.Tensor->SetSmoothingRadius(0.05);
     pipeline.Derivatives->SetSmoothingRadius(0.05);
     outputs.emplace_back(pipeline.Update());

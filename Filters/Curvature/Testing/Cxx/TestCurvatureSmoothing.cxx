@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Smoothing keeps what is constant along the surface, removes noise, does what a Gaussian does,
-// depends on the radius and not on the mesh, and stops at creases.
+// depends on the radius and not on the mesh, and stops at creases; it keeps ridges where that is
+// wanted, and makes scales each smoother than the last.
 #include "nprCurvaturePipeline.h"
 
 #include "nprCurvature.h"
+#include "nprIrregularSurfaces.h"
 #include "nprLengthScale.h"
 #include "nprSurfaceDiffusion.h"
 
 #include <vtkMinimalStandardRandomSequence.h>
+
+#include <string>
 
 using namespace nprtest;
 
@@ -160,6 +164,177 @@ void TestCreases(Checks& check)
   }
   check(caps == 2 * 49, "a rim's points are there for cap and side", caps);
 }
+
+/// Two planes that meet at a right angle in a ridge along y, rounded with the given radius.
+AnalyticSurface MakeRidge(double rounding, int n)
+{
+  const double range[4] = { -1.0, 1.0, -0.6, 0.6 };
+  return MakeSurface(
+    { [=](double s, double y)
+      {
+        const double half = 0.25 * Pi * rounding; // of the arc
+        const double angle = std::clamp(s / rounding, -0.25 * Pi, 0.25 * Pi);
+        const double beyond = s - std::clamp(s, -half, half);
+        Truth truth;
+        truth.Normal = { std::sin(angle), 0.0, std::cos(angle) };
+        truth.Point = rounding * truth.Normal +
+          beyond * Vector3d(std::cos(angle), 0.0, -std::sin(angle)) + Vector3d(0.0, y, 0.0);
+        truth.Frame = { Vector3d(std::cos(angle), 0.0, -std::sin(angle)), Vector3d::UnitY() };
+        truth.Form = { std::abs(s) < half ? 1.0 / rounding : 0.0, 0.0, 0.0 };
+        truth.Cubic = Vector4d::Zero();
+        return truth;
+      },
+      { range[0], range[1], range[2], range[3] } },
+    n, n * 3 / 5, { 0.2, 1 });
+}
+
+double GetAngle(vtkPolyData* surface, vtkIdType point, const Vector3d& truth,
+  const char* name = npr::names::Normals)
+{
+  const Vector3d normal = GetTuple<3>(surface, name, point);
+  return std::atan2(normal.cross(truth).norm(), normal.dot(truth));
+}
+
+void TestFeatures(Checks& check)
+{
+  AnalyticSurface ridge = MakeRidge(0.04, 80);
+  AddNoise(ridge, 0.05);
+  struct Angles
+  {
+    double Flat = 0.0;  // root mean square, away from the ridge
+    double Ridge = 0.0; // beside the ridge, where plain smoothing rounds it
+  };
+  const auto measure = [&](double radius, double preservation)
+  {
+    vtkNew<vtkNPRSurfaceNormals> normals;
+    normals->SetInputData(ridge.Mesh);
+    normals->SetSmoothingRadius(radius);
+    normals->SetFeaturePreservation(preservation);
+    normals->Update();
+    Angles angles;
+    int flat = 0;
+    int beside = 0;
+    for (vtkIdType i = 0; i < normals->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const Truth& truth = ridge.Truths[i];
+      const double angle = GetAngle(normals->GetOutput(), i, truth.Normal);
+      // The distance from the plane through the ridge tells how far away it is.
+      const double away = std::abs(truth.Point.x()) * std::sqrt(2.0);
+      if (std::abs(truth.Point.y()) < 0.5 && away > 0.06 && away < 0.9)
+      {
+        const bool isFlat = away > 0.3;
+        (isFlat ? angles.Flat : angles.Ridge) += angle * angle;
+        ++(isFlat ? flat : beside);
+      }
+    }
+    angles.Flat = std::sqrt(angles.Flat / flat);
+    angles.Ridge = std::sqrt(angles.Ridge / beside);
+    return angles;
+  };
+  const Angles rough = measure(0.0, 0.0);
+  const Angles plain = measure(0.2, 0.0);
+  const Angles kept = measure(0.2, 4.0);
+  std::cout << "ridge: rough " << rough.Flat << " " << rough.Ridge << ", plain " << plain.Flat
+            << " " << plain.Ridge << ", preserving " << kept.Flat << " " << kept.Ridge << "\n";
+  check(plain.Ridge > 2.0 * rough.Ridge, "plain smoothing rounds the ridge", plain.Ridge);
+  check(kept.Ridge < 0.6 * rough.Ridge, "a ridge is kept, and smoothed along itself", kept.Ridge);
+  check(kept.Flat < 0.3 * rough.Flat, "flat parts are smoothed", kept.Flat);
+
+  // A sphere bends everywhere alike, and stays what it is.
+  vtkNew<vtkNPRSurfaceNormals> normals;
+  normals->SetInputData(MakeRemeshedEllipsoid(Vector3d::Ones(), 24, 1, false).Mesh);
+  normals->SetSmoothingRadius(0.1);
+  normals->SetFeaturePreservation(2.0);
+  normals->Update();
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < normals->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    Vector3d p;
+    normals->GetOutput()->GetPoint(i, p.data());
+    worst = std::max(worst, GetAngle(normals->GetOutput(), i, p.normalized()));
+  }
+  check(worst < 0.01, "a sphere stays a sphere", worst);
+}
+
+void TestScales(Checks& check)
+{
+  AnalyticSurface torus = MakeJitteredTorus(60);
+  AddNoise(torus, 0.05);
+  vtkNew<vtkNPRSurfaceNormals> normals;
+  normals->SetInputData(torus.Mesh);
+  normals->SetNumberOfScales(7);
+  normals->Update();
+  vtkPolyData* output = normals->GetOutput();
+  const auto getName = [](int scale)
+  {
+    return scale == 0 ? std::string(npr::names::Normals)
+                      : npr::names::ScaleNormalsPrefix + std::to_string(scale);
+  };
+  // How much the normals turn from point to point.
+  npr::TriangleMesh mesh(output);
+  double last = 1e9;
+  for (int scale = 0; scale <= 7; ++scale)
+  {
+    const std::string name = getName(scale);
+    double sum = 0.0;
+    for (const auto& corners : mesh.GetTriangles())
+    {
+      sum += (GetTuple<3>(output, name.c_str(), corners[0]) -
+        GetTuple<3>(output, name.c_str(), corners[1]))
+               .squaredNorm();
+    }
+    check(sum > 0.0 && sum < last, name + " is smoother than the last", sum / last);
+    last = sum;
+  }
+  check(!output->GetPointData()->HasArray(getName(8).c_str()), "as many scales as asked for");
+
+  // Scale after scale is the same as at once.
+  vtkNew<vtkNPRSurfaceNormals> once;
+  once->SetInputData(torus.Mesh);
+  once->SetSmoothingRadius(0.01 * std::pow(2.0, 3.0));
+  once->Update();
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    worst = std::max(worst,
+      GetAngle(output, i, GetTuple<3>(once->GetOutput(), npr::names::Normals, i), "Normals7"));
+  }
+  check(worst < 0.03, "scales add up", worst);
+}
+
+void TestLongTimes(Checks& check)
+{
+  // A wave over a long, fine strip, smoothed by many edges: long steps must do what short ones do.
+  const double k = 2.0 * Pi;
+  AnalyticSurface sheet =
+    MakeSurface({ [](double x, double y) {
+                   return MakeHeightTruth(x, y, { 0.0, { 0, 0 }, { 0, 0, 0 }, { 0, 0, 0, 0 } });
+                 },
+                  { -1.0, 1.0, 0.0, 0.02 } },
+      800, 8, { 0.2, 1 });
+  npr::TriangleMesh mesh(sheet.Mesh);
+  mesh.BuildIncidence();
+  const npr::SurfaceDiffusion diffusion(
+    mesh, npr::Tuples<3>(mesh.GetNumberOfPoints(), Eigen::Vector3f::UnitZ()));
+  for (double radius : { 0.03, 0.1, 0.2 })
+  {
+    npr::SurfaceDiffusion::Field field(mesh.GetNumberOfPoints());
+    for (npr::TriangleMesh::Index i = 0; i < mesh.GetNumberOfPoints(); ++i)
+    {
+      field[i] = { static_cast<float>(std::cos(k * sheet.Truths[i].Point.x())), 1.0f };
+    }
+    diffusion.Smooth(field, 0, radius);
+    double worst = 0.0;
+    for (npr::TriangleMesh::Index i = 0; i < mesh.GetNumberOfPoints(); ++i)
+    {
+      const double x = sheet.Truths[i].Point.x();
+      const double exact = std::exp(-0.5 * k * k * radius * radius) * std::cos(k * x);
+      worst = std::max(worst, std::abs(field[i].real() - exact));
+      check(std::abs(field[i].imag() - 1.0f) < 1e-4f, "a constant stays for long", field[i].imag());
+    }
+    check(worst < 0.04, "a Gaussian of many edges", worst);
+  }
+}
 }
 
 int TestCurvatureSmoothing(int, char*[])
@@ -170,5 +345,8 @@ int TestCurvatureSmoothing(int, char*[])
   TestTessellation(check);
   TestNoise(check);
   TestCreases(check);
+  TestFeatures(check);
+  TestScales(check);
+  TestLongTimes(check);
   return check.GetResult();
 }
