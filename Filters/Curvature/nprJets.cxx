@@ -30,12 +30,6 @@ constexpr double Balance = 1300.0;
 constexpr double LeastOneSided = 0.1;
 constexpr double BorderGrowth = 2.0;
 
-/// Of how many edges of the radius a path to a point within it may consist.
-int GetRings(double radius)
-{
-  return 2 * static_cast<int>(std::ceil(radius)) + 2;
-}
-
 /// How many points a stable fit wants.
 int GetWantedPoints(int degree)
 {
@@ -188,8 +182,8 @@ double ChooseRadius(const TriangleMesh& mesh, const PointGraph& graph, const Tup
       {
         double noise;
         double curvature;
-        if (fitter.MeasureNoise(
-              sample[i], BaseRadius * edges[sample[i]], GetRings(BaseRadius), noise, curvature))
+        if (fitter.MeasureNoise(sample[i], BaseRadius * edges[sample[i]],
+              Neighbourhood::GetRings(BaseRadius), noise, curvature))
         {
           noises[i] = noise * BaseRadius;
           bends[i] = curvature / BaseRadius;
@@ -217,7 +211,7 @@ int Jets::GetReach() const
 {
   // One more ring for the edges' lengths, one for the normals.
   const bool open = this->Fit.Radius <= 0.0 || this->Fit.Length > 0.0;
-  return GetRings(open ? GreatestRadius : this->Fit.Radius) + 2;
+  return Neighbourhood::GetRings(open ? GreatestRadius : this->Fit.Radius) + 2;
 }
 
 //------------------------------------------------------------------------------

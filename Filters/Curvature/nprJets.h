@@ -41,8 +41,8 @@ public:
     /// The radius as a length instead, where it is positive; it is clamped likewise.
     double Length = 0.0;
   };
-  static constexpr double LeastRadius = 1.5;
-  static constexpr double GreatestRadius = 14.0;
+  static constexpr double LeastRadius = Neighbourhood::LeastRadius;
+  static constexpr double GreatestRadius = Neighbourhood::GreatestRadius;
 
   Jets() = default;
   explicit Jets(const Options& options) : Fit(options) {}

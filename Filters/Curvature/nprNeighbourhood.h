@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -81,6 +82,13 @@ public:
    * @param rings as many edges at most are followed
    */
   void Collect(Index centre, double radius, int rings);
+
+  /// What estimators take, in mean edges.
+  static constexpr double LeastRadius = 1.5;
+  static constexpr double GreatestRadius = 14.0;
+
+  /// Of how many edges a path to a point within a radius, in mean edges, may consist.
+  static int GetRings(double radius) { return 2 * static_cast<int>(std::ceil(radius)) + 2; }
 
   /// What Collect() found; the centre is the first.
   const std::vector<Member>& GetMembers() const { return this->Members; }

@@ -3,6 +3,7 @@
 #include "vtkNPRCurvatureTensor.h"
 
 #include "nprArrayNames.h"
+#include "nprCorrectedMeasures.h"
 #include "nprCurvature.h"
 #include "nprCurvatureDerivatives.h"
 #include "nprFaceCurvature.h"
@@ -109,25 +110,30 @@ int vtkNPRCurvatureTensor::FindEstimator(const char* name)
 std::unique_ptr<npr::CurvatureEstimator> vtkNPRCurvatureTensor::MakeEstimator(
   vtkPolyData* input, const npr::TriangleMesh& mesh) const
 {
-  if (this->Estimator != JETS)
+  if (this->Estimator == PER_FACE)
   {
     return std::make_unique<npr::FaceCurvature>();
   }
-  npr::Jets::Options options;
-  options.Degree = this->JetDegree;
+  double radius = 0.0;
+  double length = 0.0;
   if (this->NeighbourhoodRadius <= 0.0)
   {
-    options.Radius = GetStoredRadius(input);
+    radius = GetStoredRadius(input);
   }
   else if (this->RadiusUnit == LENGTH_SCALE)
   {
-    options.Length = this->NeighbourhoodRadius * npr::GetLengthScale(input, mesh);
+    length = this->NeighbourhoodRadius * npr::GetLengthScale(input, mesh);
   }
   else
   {
-    options.Radius = this->NeighbourhoodRadius;
+    radius = this->NeighbourhoodRadius;
   }
-  return std::make_unique<npr::Jets>(options);
+  if (this->Estimator == CORRECTED_MEASURES)
+  {
+    return std::make_unique<npr::CorrectedMeasures>(
+      npr::CorrectedMeasures::Options{ radius, length });
+  }
+  return std::make_unique<npr::Jets>(npr::Jets::Options{ this->JetDegree, radius, length });
 }
 
 //------------------------------------------------------------------------------
@@ -163,8 +169,9 @@ int vtkNPRCurvatureTensor::RequestData(
   }
   if (this->SmoothingRadius > 0.0)
   {
-    const npr::SurfaceDiffusion diffusion(mesh, estimate.Normals);
+    npr::SurfaceDiffusion diffusion(mesh, estimate.Normals);
     const double radius = this->SmoothingRadius * npr::GetLengthScale(input, mesh);
+    diffusion.PreserveFeatures(mesh, this->FeaturePreservation, radius);
     diffusion.SmoothTensors(estimate.Tensors, radius);
     if (this->OutputDerivatives)
     {
@@ -227,6 +234,7 @@ void vtkNPRCurvatureTensor::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "JetDegree: " << this->JetDegree << "\n";
   os << indent << "SmoothingRadius: " << this->SmoothingRadius << "\n";
+  os << indent << "FeaturePreservation: " << this->FeaturePreservation << "\n";
   os << indent << "OutputNormals: " << this->OutputNormals << "\n";
   os << indent << "OutputTensor: " << this->OutputTensor << "\n";
   os << indent << "OutputPrincipalCurvatures: " << this->OutputPrincipalCurvatures << "\n";

@@ -63,6 +63,10 @@ public:
     /// of the edge length on regular meshes, and stalls at a few per cent on irregular ones, where
     /// the derivatives do not converge at all.
     PER_FACE = 0,
+    /// From measures of the triangles around, with better normals (Lachaud, Romon, Thibert and
+    /// Coeurjolly 2020; see nprCorrectedMeasures.h). Converges on irregular meshes, on noisy ones
+    /// and at borders, too.
+    CORRECTED_MEASURES = 1,
     /// From polynomials fitted to the points around (Cazals and Pouget 2005; see nprJets.h). Both
     /// curvature and its derivatives converge on irregular meshes, on noisy ones and at borders.
     JETS = 2
@@ -72,15 +76,17 @@ public:
   vtkSetClampMacro(Estimator, int, PER_FACE, JETS);
   vtkGetMacro(Estimator, int);
   void SetEstimatorToPerFace() { this->SetEstimator(PER_FACE); }
+  void SetEstimatorToCorrectedMeasures() { this->SetEstimator(CORRECTED_MEASURES); }
   void SetEstimatorToJets() { this->SetEstimator(JETS); }
   ///@}
 
   ///@{
   /// How far the estimate looks, in the unit of RadiusUnit; PER_FACE always takes one ring. 0 (the
-  /// default) chooses by the surface's noise, about 3 mean edges on a clean one; what that came to
-  /// stands in the output's field data array "NeighbourhoodRadius" (mean edges), and where the
-  /// input has that array it holds, so that the parts of a surface and the frames of an animation
-  /// can share one. JETS takes from 1.5 to 10 mean edges.
+  /// default) chooses by the surface's noise, about 3 mean edges on a clean one (CORRECTED_MEASURES
+  /// up to 5); what that came to stands in the output's field data array "NeighbourhoodRadius"
+  /// (mean edges), and where the input has that array it holds, so that the parts of a surface and
+  /// the frames of an animation can share one. JETS and CORRECTED_MEASURES take from 1.5 to 14 mean
+  /// edges.
   vtkSetClampMacro(NeighbourhoodRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NeighbourhoodRadius, double);
   ///@}
@@ -120,10 +126,19 @@ public:
   /// Standard deviation of a smoothing of the curvature tensor and its derivatives along the
   /// surface, as a fraction of the surface's length scale (see nprSurfaceDiffusion.h). Nothing
   /// flows across creases that the preparation has split. 0 (the default) does not smooth; useful
-  /// values go up to about 0.1. The work grows with the square of radius / edge length, and ends at
-  /// 1000 steps.
+  /// values go up to about 0.1. The work grows with radius / edge length, and ends at about 100
+  /// edges.
   vtkSetClampMacro(SmoothingRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SmoothingRadius, double);
+  ///@}
+
+  ///@{
+  /// How well the smoothing keeps ridges and edges apart from what lies beside them: where the
+  /// surface has a radius of curvature of (this times the radius of the smoothing), across the bend
+  /// a third of the flow is left; what bends more is kept, and along a ridge the flow is free. No
+  /// unit; 0 (the default) smooths everything alike, useful values go up to about 5.
+  vtkSetClampMacro(FeaturePreservation, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FeaturePreservation, double);
   ///@}
 
   /// @name Which arrays the output gets
@@ -187,6 +202,7 @@ private:
   int RadiusUnit = MEAN_EDGE;
   int JetDegree = 4;
   double SmoothingRadius = 0.0;
+  double FeaturePreservation = 0.0;
   bool OutputNormals = true;
   bool OutputTensor = true;
   bool OutputPrincipalCurvatures = true;
