@@ -360,7 +360,7 @@ FittedNormals FitNormals(const TriangleMesh& mesh, const PointGraph& graph,
 /// The radius r in edges h. Noise leaves noise / (h r^2) in the form, its change within the radius
 /// curvature^3 (h r)^2: they are in balance at the fourth root of noise / (h curvature)^3. Without
 /// noise it is the mesh's irregularity that is left over, and falls if the radius falls slower than
-/// the edges. Both factors are measured, for the best derivatives.
+/// the edges. Both factors are measured, between the best for curvature and for its derivatives.
 double ChooseRadius(double noise, double bend)
 {
   // What is below is the rounding of single precision.
