@@ -68,8 +68,9 @@ struct GeometryStyle
   double CreaseAngle = 40.0; ///< Degrees, 0..180; sharper edges separate smooth patches.
   double Smoothing = 2.5;    ///< Thousandths; details of this size draw no line. 0 for none.
   double Refinement = 8.0; ///< Thousandths; longer edges of a coarse mesh are refined. 0 for none.
-  std::string
-    Estimator; ///< Of curvature: a name that vtkNPRCurvatureTensor knows; empty for its default.
+  /// Of curvature: a name that vtkNPRCurvatureTensor knows; empty takes jets on meshes with
+  /// well-shaped triangles, per-face on others, such as those of CAD programs.
+  std::string Estimator;
 };
 
 struct StyleDocument

@@ -17,6 +17,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTimerLog.h>
+#include <vtkTriangle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,26 +28,55 @@ namespace
 {
 constexpr double EventsPerFilter = 3.0; // that Watch() observes
 constexpr double SeamTolerance = 1e-6;  // of the length scale: the rounding of floats
+constexpr double LeastRadius = 3.5;     // of jets, in mean edges
+constexpr double RadiusOfSmoothing = 3.0;
+constexpr double LeastQuality = 0.65; // between scans (0.75 to 0.9) and most CAD (0.3 to 0.55)
 
-double ComputeMeanEdge(vtkPolyData* surface)
+struct Tessellation
 {
-  double sum = 0.0;
-  vtkIdType count = 0;
+  double MeanEdge = 0.0;
+  /// The triangles' mean of 4 sqrt(3) area / sum of the squared edges, by their areas: 1 where all
+  /// have equal sides, 0 where all are slivers.
+  double Quality = 0.0;
+};
+
+Tessellation MeasureTessellation(vtkPolyData* surface)
+{
+  Tessellation tessellation;
+  double areas = 0.0;
+  vtkIdType edges = 0;
   auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
   {
     vtkIdType size;
     const vtkIdType* corners;
     iterator->GetCurrentCell(size, corners);
-    for (vtkIdType i = 0; i < size; ++i, ++count)
+    if (size != 3)
     {
-      double from[3], to[3];
-      surface->GetPoint(corners[i], from);
-      surface->GetPoint(corners[(i + 1) % size], to);
-      sum += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+      continue;
+    }
+    double points[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetPoint(corners[i], points[i]);
+    }
+    double squares = 0.0;
+    for (int i = 0; i < 3; ++i, ++edges)
+    {
+      const double square = vtkMath::Distance2BetweenPoints(points[i], points[(i + 1) % 3]);
+      tessellation.MeanEdge += std::sqrt(square);
+      squares += square;
+    }
+    const double area = vtkTriangle::TriangleArea(points[0], points[1], points[2]);
+    if (area > 0.0)
+    {
+      tessellation.Quality += area * (4.0 * std::sqrt(3.0) * area / squares);
+      areas += area;
     }
   }
-  return count > 0 ? sum / count : 0.0;
+  tessellation.MeanEdge /= std::max<vtkIdType>(edges, 1);
+  tessellation.Quality /= areas > 0.0 ? areas : 1.0;
+  return tessellation;
 }
 }
 
@@ -101,17 +131,23 @@ void SurfacePipeline::Tune(const GeometryStyle& geometry, double unit, bool refi
   }
   const double scale = this->GetLengthScale();
   const double unitOfScale = scale > 0.0 ? unit / scale : 0.0;
-  if (!geometry.Estimator.empty())
-  {
-    this->Tensor->SetEstimator(vtkNPRCurvatureTensor::FindEstimator(geometry.Estimator.c_str()));
-  }
+  const Tessellation tessellation = MeasureTessellation(this->Preparation->GetOutput());
+  // Where triangles are slivers, as those of CAD programs, whose points are exact but stand only
+  // where the surface bends, a fit to the points around mixes faces that have nothing in common.
+  this->Tensor->SetEstimator(!geometry.Estimator.empty()
+      ? vtkNPRCurvatureTensor::FindEstimator(geometry.Estimator.c_str())
+      : tessellation.Quality < LeastQuality ? vtkNPRCurvatureTensor::PER_FACE
+                                            : vtkNPRCurvatureTensor::JETS);
+  // What is a detail, and what is noise, is a matter of the page, as for the smoothing.
+  const double details = RadiusOfSmoothing * geometry.Smoothing * unit;
+  this->Tensor->SetNeighbourhoodRadius(
+    details > LeastRadius * tessellation.MeanEdge ? details / tessellation.MeanEdge : LeastRadius);
   this->Tensor->SetSmoothingRadius(geometry.Smoothing * unitOfScale);
   this->Refinement->SetMaximumEdgeLength(geometry.Refinement * unitOfScale);
   const bool refined = refine && geometry.Refinement * unitOfScale > 0.0;
   this->Refinement->SetNumberOfLevels(refined ? -1 : 0);
 
-  this->Faceted =
-    !refine && ComputeMeanEdge(this->Preparation->GetOutput()) > geometry.Refinement * unit;
+  this->Faceted = !refine && tessellation.MeanEdge > geometry.Refinement * unit;
   if (this->Faceted)
   {
     // Each facet is a patch of its own, so contours run along the edges between them.

@@ -74,6 +74,7 @@ int TestIllustrationStyle(int, char*[])
   CheckRefused(R"({"lights": [{"elevation": 100}]})", "/lights/0/elevation");
   CheckRefused(R"({"lights": {}})", "/lights");
   CheckRefused(R"({"geometry": {"crease_angle": -1}})", "/geometry/crease_angle");
+  CheckRefused(R"({"lines": [{"type": "ridges", "optional": 1}]})", "/lines/0/optional");
   CheckRefused(R"({"geometry": {"estimator": "guess"}})", "per-face");
   CheckRefused(R"({"geometry": {"estimator": 1}})", "/geometry/estimator");
   CheckRefused(R"({"lines": [{"width": 1}]})", "/lines/0/type");
