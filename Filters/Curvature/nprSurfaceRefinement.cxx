@@ -4,6 +4,7 @@
 
 #include "nprSurfaceNormals.h"
 
+#include <vtkMath.h>
 #include <vtkSMPTools.h>
 
 #include <Eigen/Geometry>
@@ -49,6 +50,8 @@ struct Edge
       std::abs(this->N0.dot(this->Chord)) < FlatSlope * this->Length &&
       std::abs(this->N1.dot(this->Chord)) < FlatSlope * this->Length;
   }
+  /// Whether the normals at the ends differ by no more than an angle.
+  bool TurnsAtMost(double cosine) const { return this->N0.dot(this->N1) >= cosine; }
   /// From the middle of the chord to the curve.
   Vector3d GetMove() const
   {
@@ -99,15 +102,18 @@ public:
 
   void MarkAll() { std::fill(this->IsMarked.begin(), this->IsMarked.end(), 1); }
 
-  void MarkCurvedEdges(double maximumLength)
+  /// @param maximumTurn degrees; 0: what is not flat turns too much
+  void MarkCurvedEdges(double maximumLength, double maximumTurn)
   {
+    const double cosine = std::cos(vtkMath::RadiansFromDegrees(maximumTurn));
     vtkSMPTools::For(0, this->Mesh.GetNumberOfEdges(),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          this->IsMarked[i] =
-            this->Lengths[i] > maximumLength && !this->GetEdge(static_cast<Index>(i)).IsFlat();
+          const Edge edge = this->GetEdge(static_cast<Index>(i));
+          this->IsMarked[i] = edge.Length > maximumLength &&
+            !(maximumTurn > 0.0 ? edge.TurnsAtMost(cosine) : edge.IsFlat());
         }
       });
     for (const Copies& copies : this->AllCopies)
@@ -443,7 +449,7 @@ RefinedSurface RefineSurface(const TriangleMesh& mesh, const Tuples<3>& normals,
     }
     else
     {
-      pass.MarkCurvedEdges(options.MaximumEdgeLength);
+      pass.MarkCurvedEdges(options.MaximumEdgeLength, options.MaximumTurn);
       pass.LimitNumberOfTriangles(options.MaximumNumberOfTriangles);
     }
     if (!pass.HasMarks())

@@ -21,6 +21,7 @@ struct SurfaceRefinementOptions
   /// Passes that split every edge; negative: passes split the edges that are too long and not flat.
   int NumberOfLevels = -1;
   double MaximumEdgeLength = 0.0; // length
+  double MaximumTurn = 0.0;       // degrees; 0: what is not flat turns too much
   vtkIdType MaximumNumberOfTriangles = 2000000;
 };
 

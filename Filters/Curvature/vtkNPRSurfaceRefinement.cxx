@@ -7,6 +7,7 @@
 #include "nprCurvatureEstimator.h"
 #include "nprLengthScale.h"
 #include "nprMidpointArrays.h"
+#include "nprRemeshedArrays.h"
 #include "nprSurfaceArrays.h"
 #include "nprSurfaceNormals.h"
 #include "nprSurfaceRefinement.h"
@@ -27,21 +28,6 @@ vtkStandardNewMacro(vtkNPRSurfaceRefinement);
 namespace
 {
 using Index = npr::TriangleMesh::Index;
-
-//------------------------------------------------------------------------------
-/// The first copy of each point, as the preparation has written it, else each point itself.
-std::vector<Index> GetWeldedPointIds(vtkPolyData* surface)
-{
-  const vtkIdType size = surface->GetNumberOfPoints();
-  vtkDataArray* array = surface->GetPointData()->GetArray(npr::names::WeldedPointIds);
-  std::vector<Index> ids(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const vtkIdType id = array ? static_cast<vtkIdType>(array->GetComponent(i, 0)) : i;
-    ids[i] = static_cast<Index>(id >= 0 && id < size ? id : i);
-  }
-  return ids;
-}
 
 //------------------------------------------------------------------------------
 void SetPoints(vtkPolyData* input, const npr::TriangleMesh& mesh,
@@ -162,9 +148,10 @@ int vtkNPRSurfaceRefinement::RequestData(
   options.NumberOfLevels = this->NumberOfLevels;
   const double lengthScale = npr::GetLengthScale(input);
   options.MaximumEdgeLength = this->MaximumEdgeLength * lengthScale;
+  options.MaximumTurn = this->MaximumTurn;
   options.MaximumNumberOfTriangles = this->MaximumNumberOfTriangles;
-  const npr::RefinedSurface refined = npr::RefineSurface(
-    mesh, npr::GetUnitNormals(mesh, npr::FindNormals(input)), GetWeldedPointIds(input), options);
+  const npr::RefinedSurface refined = npr::RefineSurface(mesh,
+    npr::GetUnitNormals(mesh, npr::FindNormals(input)), npr::ReadWeldedPointIds(input), options);
   this->UpdateProgress(0.6);
 
   SetPoints(input, mesh, refined, output);
@@ -186,6 +173,7 @@ void vtkNPRSurfaceRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "MaximumTurn: " << this->MaximumTurn << "\n";
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
 }

@@ -39,6 +39,15 @@ public:
   ///@}
 
   ///@{
+  /// How far the normals at the ends of an edge may differ, so that triangles adapt to curvature:
+  /// an edge becomes as long as this turn divided by the curvature along it, but not shorter than
+  /// half of MaximumEdgeLength (set that to 0 for no such limit). Degrees, 0 to 180; 0, the
+  /// default, splits all edges that are too long and not flat. Ignored if NumberOfLevels is set.
+  vtkSetClampMacro(MaximumTurn, double, 0.0, 180.0);
+  vtkGetMacro(MaximumTurn, double);
+  ///@}
+
+  ///@{
   /// The refinement ends where it would make more; of edges that are too long, the longest are
   /// split first. Default is 2,000,000.
   vtkSetClampMacro(MaximumNumberOfTriangles, vtkIdType, 0, VTK_ID_MAX);
@@ -63,6 +72,7 @@ private:
   void operator=(const vtkNPRSurfaceRefinement&) = delete;
 
   double MaximumEdgeLength = 0.02;
+  double MaximumTurn = 0.0;
   vtkIdType MaximumNumberOfTriangles = 2000000;
   int NumberOfLevels = -1;
 };

@@ -136,6 +136,52 @@ void TestSphere(Checks& check)
   CheckClosed(output, "capped sphere", check);
 }
 
+/// Edges by how far the surface turns along them: short at the tips of an ellipsoid.
+void TestTurn(Checks& check)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeOctasphere(1.0, 2);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    mesh->GetPoints()->SetPoint(i, p[0], p[1], 4.0 * p[2]);
+  }
+  Refined ellipsoid(mesh, 180.0);
+  ellipsoid.Refinement->SetMaximumEdgeLength(0.0);
+  vtkIdType last = 0;
+  for (double turn : { 20.0, 10.0, 5.0 })
+  {
+    ellipsoid.Refinement->SetMaximumTurn(turn);
+    vtkPolyData* output = ellipsoid.Update();
+    CheckClosed(output, "ellipsoid", check);
+    check(output->GetNumberOfCells() > 2 * last && output->GetNumberOfCells() < 10 * 4096,
+      "the smaller the turn, the more triangles", output->GetNumberOfCells());
+    last = output->GetNumberOfCells();
+    npr::TriangleMesh refined(output);
+    double largest = 0.0;
+    double areas[2] = { 0.0, 0.0 }; // at the tips, and far from them
+    int counts[2] = { 0, 0 };
+    for (npr::TriangleMesh::Index t = 0; t < refined.GetNumberOfTriangles(); ++t)
+    {
+      const auto& corners = refined.GetTriangle(t);
+      for (int e = 0; e < 3; ++e)
+      {
+        const Vector3d a = GetTuple<3>(output, npr::names::Normals, corners[e]);
+        const Vector3d b = GetTuple<3>(output, npr::names::Normals, corners[(e + 1) % 3]);
+        largest = std::max(largest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / Pi);
+      }
+      const int where = std::abs(refined.GetPoint(corners[0]).z()) > 3.5f ? 0 : 1;
+      areas[where] += 0.5 * refined.GetAreaNormal(t).norm();
+      ++counts[where];
+    }
+    const double ratio = areas[1] / counts[1] / (areas[0] / counts[0]);
+    std::cout << "ellipsoid, turn " << turn << ": " << last << " triangles, largest turn "
+              << largest << ", triangles at the tips smaller by " << ratio << "\n";
+    check(largest <= 1.001 * turn, "no edge turns by more", largest);
+    check(ratio > 2.0, "small triangles where it bends", ratio);
+  }
+}
+
 void TestCan(Checks& check)
 {
   Refined can(MakeCan(1.0, 2.0, 12));
@@ -314,6 +360,7 @@ int TestSurfaceRefinement(int, char*[])
   Checks check;
   TestLongEdges(check);
   TestSphere(check);
+  TestTurn(check);
   TestCan(check);
   TestFlat(check);
   TestArrays(check);
