@@ -65,14 +65,14 @@ public:
 
   float collapse_priority(const CollapseInfo& info) override
   {
-    MeshT& mesh = Base::mesh();
-    const Quadric sum =
-      mesh.property(this->Quadrics, info.v0) + mesh.property(this->Quadrics, info.v1);
+    // The sum of both quadrics at the end that stays, less what that end has cost already. So it
+    // does not change with what the other end takes over, of which OpenMesh tells only some of the
+    // neighbours.
+    const double error = Base::mesh().property(this->Quadrics, info.v0)(info.p1);
     // Far below the error of a bend that matters, so it only orders collapses that cost nothing.
     constexpr double ShortFirst = 1e-9;
     const double squaredLength = (info.p1 - info.p0).sqrnorm();
-    return static_cast<float>(
-      std::max(0.0, sum(info.p1)) + ShortFirst * squaredLength * squaredLength);
+    return static_cast<float>(std::max(0.0, error) + ShortFirst * squaredLength * squaredLength);
   }
 
   void postprocess_collapse(const CollapseInfo& info) override
