@@ -8,6 +8,7 @@
 #include "nprIrregularSurfaces.h"
 
 #include <vtkFieldData.h>
+#include <vtkObject.h>
 #include <vtkSMPTools.h>
 
 #include <cstring>
@@ -191,6 +192,54 @@ void TestScaleAndPlace(Checks& check)
     check(worst < 1e-4, "tiny, huge and far away", worst);
   }
 }
+
+void TestBadInput(Checks& check)
+{
+  // Points alone, one triangle, an unused point and one that is no number, three sheets at an edge,
+  // no area, and a plane.
+  const double nan = std::nan("");
+  const std::vector<Vector3d> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 },
+    { 0, 0, 1 }, { 2, 0, 0 }, { nan, 0, 0 } };
+  const std::vector<std::vector<Corners>> meshes = { {}, { { 0, 1, 2 } },
+    { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 2, 6 } }, { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } },
+    { { 0, 1, 5 }, { 0, 1, 1 } } };
+  std::vector<vtkSmartPointer<vtkPolyData>> inputs;
+  for (const auto& triangles : meshes)
+  {
+    std::vector<Truth> truths(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      truths[i].Point = points[i];
+    }
+    inputs.push_back(MakeMesh(truths, triangles));
+  }
+  inputs.push_back(
+    MakeSurface({ [](double x, double y) {
+                   return MakeHeightTruth(x, y, { 0.0, { 0, 0 }, { 0, 0, 0 }, { 0, 0, 0, 0 } });
+                 },
+                  { 0.0, 1.0, 0.0, 1.0 } },
+      8, 8)
+      .Mesh);
+  vtkObject::GlobalWarningDisplayOff();
+  for (vtkPolyData* input : inputs)
+  {
+    const vtkSmartPointer<vtkPolyData> output = Estimate(input);
+    for (const char* name : GetArrayNames())
+    {
+      vtkDataArray* array = output->GetPointData()->GetArray(name);
+      check(array != nullptr, std::string("there is ") + name);
+      for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+      {
+        const int components = array->GetNumberOfComponents();
+        const double value = array->GetComponent(i / components, i % components);
+        check(std::isfinite(value), std::string("finite ") + name);
+      }
+    }
+  }
+  vtkObject::GlobalWarningDisplayOn();
+  const vtkSmartPointer<vtkPolyData> plane = Estimate(inputs.back());
+  check(std::abs(GetValue(plane, npr::names::PrincipalCurvature1, 7)) < 1e-5, "a plane is flat");
+}
 }
 
 int TestCorrectedMeasures(int, char*[])
@@ -219,5 +268,6 @@ int TestCorrectedMeasures(int, char*[])
   TestRadius(check);
   TestThreads(check);
   TestScaleAndPlace(check);
+  TestBadInput(check);
   return check.GetResult();
 }
