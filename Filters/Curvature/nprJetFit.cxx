@@ -35,26 +35,27 @@ constexpr Exponents Powers = MakeExponents();
 }
 
 //------------------------------------------------------------------------------
-void JetFit::Clear()
+void JetFit::Start(int numberOfPoints)
 {
-  this->Pairs.clear();
   this->Size = 0;
+  this->Pairs.resize((numberOfPoints + 1) / 2);
+  if (numberOfPoints % 2 == 1)
+  {
+    this->Pairs.back() = { Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero(),
+      Lanes::Zero() };
+  }
 }
 
 //------------------------------------------------------------------------------
 void JetFit::Add(double x, double y, double z, double weight)
 {
-  const int lane = this->Size++ % 2;
-  if (lane == 0)
-  {
-    this->Pairs.push_back({ { x, 0.0 }, { y, 0.0 }, { z, 0.0 }, { weight, 0.0 }, Lanes::Zero() });
-    return;
-  }
-  Pair& pair = this->Pairs.back();
-  pair.X[1] = x;
-  pair.Y[1] = y;
-  pair.Z[1] = z;
-  pair.W[1] = weight;
+  Pair& pair = this->Pairs[this->Size / 2];
+  const int lane = this->Size % 2;
+  pair.X[lane] = x;
+  pair.Y[lane] = y;
+  pair.Z[lane] = z;
+  pair.W[lane] = weight;
+  ++this->Size;
 }
 
 //------------------------------------------------------------------------------

@@ -35,7 +35,8 @@ inline constexpr int CountCoefficients(int degree)
 class JetFit
 {
 public:
-  void Clear();
+  /// Add() must then be called so many times.
+  void Start(int numberOfPoints);
   /// Coordinates and weights are best of about 1.
   void Add(double x, double y, double z, double weight);
   int GetNumberOfPoints() const { return this->Size; }

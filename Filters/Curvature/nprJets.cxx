@@ -3,6 +3,7 @@
 #include "nprJets.h"
 
 #include "nprFaceCurvature.h"
+#include "nprHilbertOrder.h"
 #include "nprJetFit.h"
 
 #include <vtkSMPThreadLocal.h>
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace npr
 {
@@ -123,7 +126,7 @@ private:
     double x = 0.0;
     double y = 0.0;
     double sum = 0.0;
-    this->Fit.Clear();
+    this->Fit.Start(static_cast<int>(this->Around.GetMembers().size()));
     for (const Neighbourhood::Member& member : this->Around.GetMembers())
     {
       const Vector3d offset = scale * member.Offset;
@@ -144,6 +147,68 @@ private:
   JetCoefficients Jet;
   Vector3d Normal;
   TangentFrame Frame;
+};
+
+//------------------------------------------------------------------------------
+/// A mesh whose points stand in memory as they lie in space: where a scanner's order is none, the
+/// search for neighbours takes half the time.
+struct OrderedMesh
+{
+  OrderedMesh(const TriangleMesh& mesh, const Tuples<3>& normals)
+    : Points(Order(mesh)), Mesh(Renumber(mesh, this->Points)), Normals(normals.size())
+  {
+    this->Mesh.BuildIncidence();
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      this->Normals[i] = normals[this->Points[i]];
+    }
+  }
+
+  /// What its points are in the mesh.
+  std::vector<vtkIdType> Points;
+  TriangleMesh Mesh;
+  Tuples<3> Normals;
+
+private:
+  static std::vector<vtkIdType> Order(const TriangleMesh& mesh)
+  {
+    std::vector<Vector3d> points(mesh.GetNumberOfPoints());
+    std::transform(mesh.GetPoints().begin(), mesh.GetPoints().end(), points.begin(),
+      [](const TriangleMesh::Vector& point) { return Vector3d(point.cast<double>()); });
+    return GetHilbertOrder(points);
+  }
+
+  static TriangleMesh Renumber(const TriangleMesh& mesh, const std::vector<vtkIdType>& order)
+  {
+    std::vector<Index> numbers(order.size());
+    std::vector<TriangleMesh::Vector> points(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      numbers[order[i]] = static_cast<Index>(i);
+      points[i] = mesh.GetPoint(static_cast<Index>(order[i]));
+    }
+    // The triangles by their first point in the order.
+    std::vector<Index> places(order.size() + 1, 0);
+    const auto renumber = [&](const TriangleMesh::Triangle& corners) {
+      return TriangleMesh::Triangle{ numbers[corners[0]], numbers[corners[1]],
+        numbers[corners[2]] };
+    };
+    const auto first = [](const TriangleMesh::Triangle& corners) {
+      return std::min({ corners[0], corners[1], corners[2] });
+    };
+    for (const TriangleMesh::Triangle& corners : mesh.GetTriangles())
+    {
+      ++places[first(renumber(corners)) + 1];
+    }
+    std::partial_sum(places.begin(), places.end(), places.begin());
+    std::vector<TriangleMesh::Triangle> triangles(mesh.GetNumberOfTriangles());
+    for (const TriangleMesh::Triangle& corners : mesh.GetTriangles())
+    {
+      const TriangleMesh::Triangle renumbered = renumber(corners);
+      triangles[places[first(renumbered)]++] = renumbered;
+    }
+    return TriangleMesh(std::move(points), std::move(triangles), mesh.GetOrigin());
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -215,15 +280,18 @@ int Jets::GetReach() const
 }
 
 //------------------------------------------------------------------------------
-CurvatureEstimate Jets::Estimate(const TriangleMesh& mesh, const Tuples<3>& normals,
+CurvatureEstimate Jets::Estimate(const TriangleMesh& given, const Tuples<3>& givenNormals,
   bool derivatives, const Progress& progress) const
 {
   CurvatureEstimate estimate;
-  estimate.Normals = normals;
+  estimate.Normals = givenNormals;
   if (!progress(0.0))
   {
     return estimate;
   }
+  const OrderedMesh ordered(given, givenNormals);
+  const TriangleMesh& mesh = ordered.Mesh;
+  const Tuples<3>& normals = ordered.Normals;
   const PointGraph graph(mesh);
   const std::vector<float> edges = ComputeMeanEdges(mesh, graph);
   double edgeRadius = this->Fit.Radius;
@@ -244,6 +312,7 @@ CurvatureEstimate Jets::Estimate(const TriangleMesh& mesh, const Tuples<3>& norm
       Fitter& fitter = fitters.Local();
       for (vtkIdType i = begin; i < end; ++i)
       {
+        const vtkIdType point = ordered.Points[i];
         const double edge = edges[i];
         double radius = this->Fit.Length > 0.0 ? this->Fit.Length : edgeRadius * edge;
         radius = std::clamp(radius, LeastRadius * edge, GreatestRadius * edge);
@@ -251,22 +320,22 @@ CurvatureEstimate Jets::Estimate(const TriangleMesh& mesh, const Tuples<3>& norm
         if (!fitter.FitPoint(static_cast<Index>(i), this->Fit.Degree, radius,
               std::min(3.0 * radius, GreatestRadius * edge), rings, jet))
         {
-          estimate.Unknown[i] = 1;
+          estimate.Unknown[point] = 1;
           continue;
         }
-        estimate.Normals[i] = jet.Normal.cast<float>();
-        estimate.Tensors[i] =
+        estimate.Normals[point] = jet.Normal.cast<float>();
+        estimate.Tensors[point] =
           (FromFrame(jet.Form, MakeTangentFrame(jet.Normal)) / radius).cast<float>();
         if (derivatives)
         {
-          estimate.Derivatives[i] = (jet.Cubic / (radius * radius)).cast<float>();
+          estimate.Derivatives[point] = (jet.Cubic / (radius * radius)).cast<float>();
         }
       }
     });
   if (done && std::count(estimate.Unknown.begin(), estimate.Unknown.end(), 1) > 0)
   {
     const CurvatureEstimate rest =
-      FaceCurvature().Estimate(mesh, normals, derivatives, IgnoreProgress);
+      FaceCurvature().Estimate(given, givenNormals, derivatives, IgnoreProgress);
     for (Index i = 0; i < size; ++i)
     {
       if (estimate.Unknown[i])

@@ -5,6 +5,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace npr
 {
@@ -114,42 +115,44 @@ void Neighbourhood::Collect(Index centre, double radius, int rings)
   const TriangleMesh::Vector origin = this->Mesh->GetPoint(centre);
   const Eigen::Vector3f normal = (*this->Normals)[centre];
   const double squaredRadius = radius * radius;
-  this->Members.clear();
-  this->Members.push_back({ centre, 1.0f, Eigen::Vector3d::Zero(), 0.0 });
+  this->Members.assign(1, { centre, 1.0f, Eigen::Vector3d::Zero(), 0.0 });
+  this->Candidates.resize(MaximumSize);
   this->PointStamps[centre] = stamp;
-  int budget = MaximumSize;
+  std::uint32_t* const stamps = this->PointStamps.data();
+  int seen = 0;
   std::size_t first = 0;
   for (int ring = 0; ring < rings && first < this->Members.size(); ++ring)
   {
+    // Both steps write first and then decide what stays: whether a point is new, and whether it is
+    // near, is a toss-up to the processor, which would stumble over half of the branches.
+    Index* const candidates = this->Candidates.data();
+    int found = 0;
     const std::size_t last = this->Members.size();
     for (; first < last; ++first)
     {
       const Index point = this->Members[first].Point;
-      for (const Index* other = this->Graph->Begin(point); other != this->Graph->End(point);
-           ++other)
+      const Index* const begin = this->Graph->Begin(point);
+      const auto size =
+        std::min<std::ptrdiff_t>(this->Graph->End(point) - begin, MaximumSize - seen - found);
+      for (const Index* other = begin; other < begin + size; ++other)
       {
-        if (this->PointStamps[*other] == stamp)
-        {
-          continue;
-        }
-        this->PointStamps[*other] = stamp;
-        if (--budget < 0)
-        {
-          return;
-        }
-        const Eigen::Vector3d offset = (this->Mesh->GetPoint(*other) - origin).cast<double>();
-        const double squaredDistance = offset.squaredNorm();
-        if (!(squaredDistance < squaredRadius))
-        {
-          continue;
-        }
-        const float turn = normal.dot((*this->Normals)[*other]);
-        if (turn > 0.0f)
-        {
-          this->Members.push_back({ *other, turn, offset, squaredDistance });
-        }
+        candidates[found] = *other;
+        found += stamps[*other] != stamp;
+        stamps[*other] = stamp;
       }
     }
+    seen += found;
+    this->Members.resize(last + found);
+    Member* member = this->Members.data() + last;
+    for (const Index* other = candidates; other < candidates + found; ++other)
+    {
+      const Eigen::Vector3d offset = (this->Mesh->GetPoint(*other) - origin).cast<double>();
+      const double squaredDistance = offset.squaredNorm();
+      const float turn = normal.dot((*this->Normals)[*other]);
+      *member = { *other, turn, offset, squaredDistance };
+      member += (squaredDistance < squaredRadius) & (turn > 0.0f);
+    }
+    this->Members.resize(member - this->Members.data());
   }
 }
 

@@ -106,6 +106,7 @@ private:
   const PointGraph* Graph = nullptr;
   const Tuples<3>* Normals = nullptr;
   std::vector<Member> Members;
+  std::vector<Index> Candidates;
   std::vector<Index> Triangles;
   std::vector<std::uint32_t> PointStamps;
   std::vector<std::uint32_t> TriangleStamps;

@@ -7,6 +7,7 @@
 #ifndef nprHilbertOrder_h
 #define nprHilbertOrder_h
 
+#include "vtkNPRFiltersSurfacesModule.h"
 #include <vtkType.h>
 
 #include <Eigen/Core>
@@ -21,7 +22,8 @@ namespace npr
  * 2004). Neighbours in the order are neighbours in space, and mostly the other way round. Equal
  * points keep their order; what is not finite comes last.
  */
-std::vector<vtkIdType> GetHilbertOrder(const std::vector<Eigen::Vector3d>& points);
+VTKNPRFILTERSSURFACES_EXPORT std::vector<vtkIdType> GetHilbertOrder(
+  const std::vector<Eigen::Vector3d>& points);
 }
 
 #endif
