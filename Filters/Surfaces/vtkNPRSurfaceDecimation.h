@@ -6,8 +6,11 @@
  * the angles.
  *
  * It stops when enough triangles are gone, or when every further step would break a bound. So the
- * triangles become large where curvature is small, as with vtkQuadricDecimation, but none becomes a
- * sliver, and none turns over. For the rules and their source see npr::DecimateSurface.
+ * triangles become large where curvature is small, as with vtkQuadricDecimation, but no slivers are
+ * made, and no triangle turns over. That filter also moves points to better places, so for the same
+ * number of triangles it comes nearer to the shape (on a scan taken down to a tenth, by two to four
+ * times); this one keeps points as they were measured, with what was measured there. For the rules
+ * and their source see npr::DecimateSurface.
  *
  * The topology is kept: as many pieces, holes and handles as before, and what was watertight stays
  * so. Points are a part of the input's, in their order, with their arrays; triangles keep their
