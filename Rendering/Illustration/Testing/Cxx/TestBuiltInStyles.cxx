@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each built-in style on the sample, and on a part with sharp edges, against its baseline.
+// Each built-in style on the sample, and on a part with sharp edges, against its baseline; and
+// ridges and valleys, which they draw when asked.
 #include "nprImageComparison.h"
 #include "nprTestScene.h"
 #include "vtkNPRSampleSource.h"
@@ -23,9 +24,8 @@ int TestBuiltInStyles(int argc, char* argv[])
     npr::TestScene scene(source->GetOutputPort());
     vtkNew<vtkNPRViewpoint> viewpoint;
     viewpoint->Apply(scene.Renderer);
-    for (const std::string& name : vtkNPRIllustrationStyle::GetBuiltInNames())
+    const auto compare = [&](const std::string& name)
     {
-      scene.Style->LoadBuiltIn(name);
       scene.Illustration->Apply();
       scene.Window->Render();
       const std::string baseline = name + "-" + model;
@@ -33,7 +33,16 @@ int TestBuiltInStyles(int argc, char* argv[])
       {
         result = EXIT_FAILURE;
       }
+    };
+    for (const std::string& name : vtkNPRIllustrationStyle::GetBuiltInNames())
+    {
+      scene.Style->LoadBuiltIn(name);
+      compare(name);
     }
+    // Lines that a style describes, but only draws where they are asked for.
+    scene.Style->LoadBuiltIn("ink");
+    scene.Style->SelectLines({ "contours", "ridges", "valleys" });
+    compare("ridges");
   }
   return result;
 }
