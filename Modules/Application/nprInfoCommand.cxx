@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCommands.h"
 
+#include "nprCurvatureOptions.h"
+#include "nprCurvatureStatistics.h"
 #include "nprLengthScale.h"
 #include "nprReporter.h"
+#include "nprTriangleMesh.h"
 #include "nprViewOptions.h"
 #include "vtkNPRModelImporter.h"
 #include "vtkNPRSurfacePreparation.h"
@@ -16,6 +19,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -26,6 +30,7 @@ namespace
 struct InfoOptions
 {
   ModelOptions Reading;
+  CurvatureOptions Curvature;
   std::string File;
   bool ListFormats = false;
 };
@@ -61,6 +66,43 @@ void ListFormats()
   }
 }
 
+/// Of the triangles that the preparation made.
+void PrintMesh(vtkPolyData* surface)
+{
+  TriangleMesh mesh(surface);
+  mesh.BuildEdges();
+  double area = 0.0;
+  for (TriangleMesh::Index i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+  {
+    area += 0.5 * mesh.GetAreaNormal(i).norm();
+  }
+  double shortest = 0.0;
+  double longest = 0.0;
+  double sum = 0.0;
+  for (TriangleMesh::Index i = 0; i < mesh.GetNumberOfEdges(); ++i)
+  {
+    const auto [from, to] = mesh.GetEdge(i);
+    const double length = (mesh.GetPoint(from) - mesh.GetPoint(to)).norm();
+    shortest = i == 0 ? length : std::min(shortest, length);
+    longest = std::max(longest, length);
+    sum += length;
+  }
+  std::printf("%-14s %d\n", "triangles", mesh.GetNumberOfTriangles());
+  std::printf("%-14s %d, %g to %g long, %g on the average\n", "edges", mesh.GetNumberOfEdges(),
+    shortest, longest, mesh.GetNumberOfEdges() > 0 ? sum / mesh.GetNumberOfEdges() : 0.0);
+  std::printf("%-14s %g\n", "area", area);
+  std::printf("%-14s %g\n", "length scale", GetLengthScale(surface));
+}
+
+void PrintPreparation(vtkNPRSurfacePreparation* preparation)
+{
+  std::printf("%-14s %lld with one triangle, %lld with more than two, %lld sharp\n", "odd edges",
+    static_cast<long long>(preparation->GetNumberOfBoundaryEdges()),
+    static_cast<long long>(preparation->GetNumberOfNonManifoldEdges()),
+    static_cast<long long>(preparation->GetNumberOfCreaseEdges()));
+  std::printf("%-14s %s\n", "preparation", preparation->GetReport().c_str());
+}
+
 void PrintInfo(const InfoOptions& options, Reporter& reporter)
 {
   const auto importer = options.Reading.Read(options.File, reporter);
@@ -68,10 +110,7 @@ void PrintInfo(const InfoOptions& options, Reporter& reporter)
   importer->GetSurface(surface);
 
   vtkNew<vtkNPRSurfacePreparation> preparation;
-  reporter.Watch(preparation, "preparing");
-  preparation->SetInputData(surface);
-  preparation->Update();
-  reporter.ThrowOnVTKError(InputError);
+  const auto curvature = options.Curvature.Compute(preparation, surface, reporter);
 
   double bounds[6];
   surface->GetBounds(bounds);
@@ -81,8 +120,13 @@ void PrintInfo(const InfoOptions& options, Reporter& reporter)
   std::printf("%-14s %lld\n", "polygons", static_cast<long long>(surface->GetNumberOfCells()));
   std::printf("%-14s x %g to %g, y %g to %g, z %g to %g\n", "bounds", bounds[0], bounds[1],
     bounds[2], bounds[3], bounds[4], bounds[5]);
-  std::printf("%-14s %g\n", "length scale", GetLengthScale(preparation->GetOutput()));
-  std::printf("%-14s %s\n", "preparation", preparation->GetReport().c_str());
+  PrintMesh(preparation->GetOutput());
+  PrintPreparation(preparation);
+  if (curvature->GetNumberOfPolys() > 0)
+  {
+    options.Curvature.Print(curvature);
+    PrintCurvature(curvature);
+  }
   PrintArrays("point array", surface->GetPointData());
   PrintArrays("cell array", surface->GetCellData());
 }
@@ -91,10 +135,12 @@ void PrintInfo(const InfoOptions& options, Reporter& reporter)
 //------------------------------------------------------------------------------
 void AddInfoCommand(CLI::App& program, Reporter& reporter)
 {
-  CLI::App* command = program.add_subcommand("info", "Say what is in a model");
+  CLI::App* command =
+    program.add_subcommand("info", "Say what is in a model, how its mesh and its curvature are");
   auto options = std::make_shared<InfoOptions>();
   CLI::Option* file = command->add_option("MODEL", options->File, "The file");
   options->Reading.AddReadingTo(*command);
+  options->Curvature.AddTo(*command);
   command->add_flag("--formats", options->ListFormats, "List the kinds of files that are read");
   command->callback(
     [options, file, &reporter]()

@@ -35,6 +35,21 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(Reporter& reporter, const std::array
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window, Reporter& reporter)
+{
+  window->Render();
+  reporter.ThrowOnVTKError(RenderError);
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->SetInputBufferTypeToRGB();
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->Update();
+  reporter.ThrowOnVTKError(RenderError);
+  return grab->GetOutput();
+}
+
+//------------------------------------------------------------------------------
 RenderJob::RenderJob(Reporter& reporter, const std::array<int, 2>& size)
   : Output(reporter), Window(MakeWindow(reporter, size))
 {
@@ -46,30 +61,15 @@ RenderJob::RenderJob(Reporter& reporter, const std::array<int, 2>& size)
 RenderJob::~RenderJob() = default;
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> RenderJob::Draw()
-{
-  this->Window->Render();
-  this->Output.ThrowOnVTKError(RenderError);
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(this->Window);
-  grab->SetInputBufferTypeToRGB();
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  grab->Update();
-  this->Output.ThrowOnVTKError(RenderError);
-  return grab->GetOutput();
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> RenderJob::DrawWithoutPaper()
 {
   // What a pixel shows of the paper is the difference between black and white paper. This holds
   // for whatever draws there, blended in whichever way.
   this->Renderer->GradientBackgroundOff();
   this->Renderer->SetBackground(0.0, 0.0, 0.0);
-  const vtkSmartPointer<vtkImageData> onBlack = this->Draw();
+  const vtkSmartPointer<vtkImageData> onBlack = GrabImage(this->Window, this->Output);
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
-  const vtkSmartPointer<vtkImageData> onWhite = this->Draw();
+  const vtkSmartPointer<vtkImageData> onWhite = GrabImage(this->Window, this->Output);
 
   vtkNew<vtkImageData> image;
   image->SetDimensions(onBlack->GetDimensions());
@@ -99,7 +99,8 @@ void RenderJob::Run(vtkNPRIllustrationStyle* style, const std::string& file, boo
   this->Illustration->Apply();
   this->Output.ThrowOnVTKError(InputError);
   this->Output.StartClock();
-  const vtkSmartPointer<vtkImageData> image = transparent ? this->DrawWithoutPaper() : this->Draw();
+  const vtkSmartPointer<vtkImageData> image =
+    transparent ? this->DrawWithoutPaper() : GrabImage(this->Window, this->Output);
   // The lines are extracted while the first image is drawn.
   double seconds = this->Output.StopClock();
   for (const char* stage : { "prepare", "curvature", "lines" })

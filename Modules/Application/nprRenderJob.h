@@ -26,6 +26,9 @@ class Reporter;
 /// The window that this machine can draw with; throws a CommandError when there is none.
 vtkSmartPointer<vtkRenderWindow> MakeWindow(Reporter& reporter, const std::array<int, 2>& size);
 
+/// Draws the window's scene, and returns it as an RGB image.
+vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window, Reporter& reporter);
+
 /// A window without a display, one renderer in it, and the illustration on that.
 class RenderJob
 {
@@ -39,7 +42,6 @@ public:
   void Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent);
 
 private:
-  vtkSmartPointer<vtkImageData> Draw();
   vtkSmartPointer<vtkImageData> DrawWithoutPaper();
 
   Reporter& Output;

@@ -11,7 +11,7 @@ set(NPR_VTK_COMPONENTS
   vtksys zlib)
 
 # What only the build needs.
-set(build_components)
+set(build_components RenderingFreeType)
 set(python_components)
 if (BUILD_TESTING)
   list(APPEND build_components
