@@ -4,8 +4,8 @@
  * @file nprTangentFrame.h
  * @brief Tangent planes, the rotation from one to another, and symmetric tensors in space.
  *
- * All in double precision: the surface may be as small as 1e-9, and products of its lengths must
- * not vanish. Tensors have the order XX YY ZZ XY YZ XZ, as everywhere in VTK.
+ * In double precision: the surface may be as small as 1e-9, and products of its lengths must not
+ * vanish. Tensors have the order XX YY ZZ XY YZ XZ, as everywhere in VTK.
  */
 #ifndef nprTangentFrame_h
 #define nprTangentFrame_h
@@ -26,16 +26,22 @@ struct TangentFrame
   Eigen::Vector3d V;
 };
 
-/// Some frame of the plane with unit normal n, always the same for the same n, without a branch
-/// near which it would lose digits (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT
-/// 2017).
+/// Some unit vector of the plane with unit normal n, always the same for the same n, without a
+/// branch near which it would lose digits (Duff et al., "Building an Orthonormal Basis, Revisited",
+/// JCGT 2017).
+template<typename Real>
+Eigen::Matrix<Real, 3, 1> MakeTangent(const Eigen::Matrix<Real, 3, 1>& n)
+{
+  const Real sign = std::copysign(Real(1), n.z());
+  const Real a = Real(-1) / (sign + n.z());
+  return { Real(1) + sign * n.x() * n.x() * a, sign * n.x() * n.y() * a, -sign * n.x() };
+}
+
+/// The frame of the plane with unit normal n that begins with MakeTangent(n).
 inline TangentFrame MakeTangentFrame(const Eigen::Vector3d& n)
 {
-  const double sign = std::copysign(1.0, n.z());
-  const double a = -1.0 / (sign + n.z());
-  const double b = n.x() * n.y() * a;
-  return { { 1.0 + sign * n.x() * n.x() * a, sign * b, -sign * n.x() },
-    { b, sign + n.y() * n.y() * a, -n.y() } };
+  const Eigen::Vector3d u = MakeTangent(n);
+  return { u, n.cross(u) };
 }
 
 /// The rotation about from x to that takes the unit vector `from` to the unit vector `to`.

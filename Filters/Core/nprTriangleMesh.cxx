@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprTriangleMesh.h"
 
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkFloatArray.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -19,31 +24,150 @@ namespace npr
 //------------------------------------------------------------------------------
 TriangleMesh::TriangleMesh(vtkPolyData* surface)
 {
+  this->ReadPoints(surface);
+  this->MeasurePoints();
+  this->ReadTriangles(surface);
+}
+
+//------------------------------------------------------------------------------
+TriangleMesh::TriangleMesh(
+  std::vector<Vector> points, std::vector<Triangle> triangles, const Eigen::Vector3d& origin)
+  : Points(std::move(points)), Triangles(std::move(triangles)), Origin(origin)
+{
+  this->MeasurePoints();
+}
+
+//------------------------------------------------------------------------------
+void TriangleMesh::ReadPoints(vtkPolyData* surface)
+{
   const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
-  if (numberOfPoints > 0)
+  if (numberOfPoints == 0)
   {
-    double bounds[6];
-    surface->GetBounds(bounds);
-    const Eigen::Vector3d centre(
-      0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
-    if (centre.allFinite())
-    {
-      this->Origin = centre;
-    }
+    return;
+  }
+  double bounds[6];
+  surface->GetBounds(bounds);
+  const Eigen::Vector3d centre(
+    0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
+  if (centre.allFinite())
+  {
+    this->Origin = centre;
   }
   this->Points.resize(numberOfPoints);
+  vtkDataArray* const data = surface->GetPoints()->GetData();
+  auto* const floats = vtkFloatArray::FastDownCast(data);
   vtkSMPTools::For(0, numberOfPoints,
     [&](vtkIdType begin, vtkIdType end)
     {
       Eigen::Vector3d point;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        surface->GetPoints()->GetPoint(i, point.data());
+        if (floats)
+        {
+          point = Eigen::Map<const Vector>(floats->GetPointer(3 * i)).cast<double>();
+        }
+        else
+        {
+          data->GetTuple(i, point.data());
+        }
         this->Points[i] = (point - this->Origin).cast<float>();
       }
     });
+}
 
-  vtkCellArray* polygons = surface->GetPolys();
+//------------------------------------------------------------------------------
+void TriangleMesh::MeasurePoints()
+{
+  vtkSMPThreadLocal<float> largest(0.0f);
+  std::atomic<bool> isFinite{ true };
+  vtkSMPTools::For(0, this->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      float mine = 0.0f;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const float here = this->Points[i].cwiseAbs().sum();
+        if (std::isfinite(here))
+        {
+          mine = std::max(mine, here);
+        }
+        else
+        {
+          isFinite = false;
+        }
+      }
+      largest.Local() = std::max(largest.Local(), mine);
+    });
+  float size = 0.0f;
+  for (const float mine : largest)
+  {
+    size = std::max(size, mine);
+  }
+  // Far enough from the ends for the inverse, and for its square beside other factors.
+  this->Unit = size > 0.0f ? std::ldexp(1.0f, std::clamp(std::ilogb(size), -60, 60)) : 1.0f;
+  this->IsFinite = isFinite;
+}
+
+//------------------------------------------------------------------------------
+template<typename Id>
+bool TriangleMesh::IsUsable(const Id* corners) const
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (corners[i] < 0 || corners[i] >= this->GetNumberOfPoints() ||
+      corners[i] == corners[(i + 1) % 3])
+    {
+      return false;
+    }
+  }
+  return this->IsFinite ||
+    (this->Points[corners[0]].allFinite() && this->Points[corners[1]].allFinite() &&
+      this->Points[corners[2]].allFinite());
+}
+
+//------------------------------------------------------------------------------
+template<typename Ids>
+bool TriangleMesh::ReadAllTriangles(vtkPolyData* surface)
+{
+  vtkCellArray* const polygons = surface->GetPolys();
+  auto* const ids = Ids::FastDownCast(polygons->GetConnectivityArray());
+  const vtkIdType size = polygons->GetNumberOfCells();
+  if (!ids || surface->GetNumberOfVerts() + surface->GetNumberOfLines() > 0 ||
+    polygons->IsHomogeneous() != 3 || ids->GetNumberOfValues() < 3 * size)
+  {
+    return false;
+  }
+  this->Triangles.resize(size);
+  std::atomic<bool> areUsable{ true };
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      bool mine = true;
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        const auto* const corners = ids->GetPointer(3 * t);
+        mine = mine && this->IsUsable(corners);
+        this->Triangles[t] = { static_cast<Index>(corners[0]), static_cast<Index>(corners[1]),
+          static_cast<Index>(corners[2]) };
+      }
+      if (!mine)
+      {
+        areUsable = false;
+      }
+    });
+  return areUsable;
+}
+
+//------------------------------------------------------------------------------
+void TriangleMesh::ReadTriangles(vtkPolyData* surface)
+{
+  if (this->ReadAllTriangles<vtkAOSDataArrayTemplate<vtkTypeInt64>>(surface) ||
+    this->ReadAllTriangles<vtkAOSDataArrayTemplate<vtkTypeInt32>>(surface))
+  {
+    return;
+  }
+  vtkCellArray* const polygons = surface->GetPolys();
+  this->Triangles.clear();
   this->Triangles.reserve(polygons->GetNumberOfCells());
   this->CellIds.reserve(polygons->GetNumberOfCells());
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
@@ -61,30 +185,6 @@ TriangleMesh::TriangleMesh(vtkPolyData* surface)
       this->CellIds.push_back(cell);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-TriangleMesh::TriangleMesh(
-  std::vector<Vector> points, std::vector<Triangle> triangles, const Eigen::Vector3d& origin)
-  : Points(std::move(points)), Triangles(std::move(triangles)), Origin(origin)
-{
-}
-
-//------------------------------------------------------------------------------
-bool TriangleMesh::IsUsable(const vtkIdType* corners) const
-{
-  Vector sum = Vector::Zero();
-  for (int i = 0; i < 3; ++i)
-  {
-    if (corners[i] < 0 || corners[i] >= this->GetNumberOfPoints() ||
-      corners[i] == corners[(i + 1) % 3])
-    {
-      return false;
-    }
-    sum += this->Points[corners[i]];
-  }
-  // A sum is finite only if all that went into it was.
-  return sum.allFinite();
 }
 
 //------------------------------------------------------------------------------
@@ -137,193 +237,5 @@ double TriangleMesh::ComputeLengthScale() const
     return 0.0;
   }
   return std::sqrt(std::max(0.0, second / area - (first / area).squaredNorm()));
-}
-
-//------------------------------------------------------------------------------
-void TriangleMesh::BuildIncidence()
-{
-  this->IncidentOffsets.assign(this->Points.size() + 1, 0);
-  for (const Triangle& corners : this->Triangles)
-  {
-    for (Index corner : corners)
-    {
-      ++this->IncidentOffsets[corner + 1];
-    }
-  }
-  for (std::size_t i = 1; i < this->IncidentOffsets.size(); ++i)
-  {
-    this->IncidentOffsets[i] += this->IncidentOffsets[i - 1];
-  }
-  this->Incident.resize(this->IncidentOffsets.back());
-  std::vector<Index> next(this->IncidentOffsets.begin(), this->IncidentOffsets.end() - 1);
-  for (Index t = 0; t < this->GetNumberOfTriangles(); ++t)
-  {
-    for (Index corner : this->Triangles[t])
-    {
-      this->Incident[next[corner]++] = t;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void TriangleMesh::BuildNeighbours()
-{
-  if (this->IncidentOffsets.empty())
-  {
-    this->BuildIncidence();
-  }
-  this->Neighbours.resize(this->Triangles.size());
-  vtkSMPTools::For(0, this->GetNumberOfTriangles(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType t = begin; t < end; ++t)
-      {
-        const Triangle& corners = this->Triangles[t];
-        for (int e = 0; e < 3; ++e)
-        {
-          // The point with fewer triangles is searched: hubs of fans may have thousands.
-          Index from = corners[e];
-          Index to = corners[(e + 1) % 3];
-          if (this->GetNumberOfIncident(to) < this->GetNumberOfIncident(from))
-          {
-            std::swap(from, to);
-          }
-          Index neighbour = Boundary;
-          for (const Index* other = this->IncidentBegin(from); other != this->IncidentEnd(from);
-               ++other)
-          {
-            const Triangle& o = this->Triangles[*other];
-            if (*other != t && (o[0] == to || o[1] == to || o[2] == to))
-            {
-              neighbour = neighbour == Boundary ? *other : NonManifold;
-            }
-          }
-          this->Neighbours[t][e] = neighbour;
-        }
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-int TriangleMesh::CountTrianglesAtEdge(Index from, Index to) const
-{
-  if (this->GetNumberOfIncident(to) < this->GetNumberOfIncident(from))
-  {
-    std::swap(from, to);
-  }
-  int count = 0;
-  for (const Index* t = this->IncidentBegin(from); t != this->IncidentEnd(from); ++t)
-  {
-    const Triangle& corners = this->Triangles[*t];
-    count += corners[0] == to || corners[1] == to || corners[2] == to;
-  }
-  return count;
-}
-
-//------------------------------------------------------------------------------
-bool TriangleMesh::IsBorderPoint(Index point) const
-{
-  // Each edge at the point shows as another corner of its triangles: twice, off the border.
-  constexpr int capacity = 32;
-  std::array<Index, capacity + 1>
-    others; // one to spare: the point itself is written, and left again
-  const Index numberOfIncident = this->GetNumberOfIncident(point);
-  if (2 * numberOfIncident <= capacity)
-  {
-    int size = 0;
-    for (const Index* t = this->IncidentBegin(point); t != this->IncidentEnd(point); ++t)
-    {
-      for (Index corner : this->Triangles[*t])
-      {
-        others[size] = corner;
-        size += corner != point;
-      }
-    }
-    return std::any_of(others.begin(), others.begin() + size,
-      [&](Index other)
-      {
-        int count = 0;
-        for (int i = 0; i < size; ++i)
-        {
-          count += others[i] == other;
-        }
-        return count != 2;
-      });
-  }
-  // Hubs of fans: with thousands of triangles the quadratic search would take too long.
-  for (const Index* t = this->IncidentBegin(point); t != this->IncidentEnd(point); ++t)
-  {
-    for (Index corner : this->Triangles[*t])
-    {
-      if (corner != point && this->CountTrianglesAtEdge(point, corner) != 2)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-void TriangleMesh::BuildEdges()
-{
-  if (this->IncidentOffsets.empty())
-  {
-    this->BuildIncidence();
-  }
-  const Index numberOfPoints = this->GetNumberOfPoints();
-  const auto collect = [this](Index point, std::vector<Index>& ends)
-  {
-    ends.clear();
-    for (const Index* t = this->IncidentBegin(point); t != this->IncidentEnd(point); ++t)
-    {
-      for (Index corner : this->Triangles[*t])
-      {
-        if (corner > point)
-        {
-          ends.push_back(corner);
-        }
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  };
-  this->EdgeOffsets.assign(numberOfPoints + 1, 0);
-  vtkSMPTools::For(0, numberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<Index> ends;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        collect(static_cast<Index>(i), ends);
-        this->EdgeOffsets[i + 1] = static_cast<Index>(ends.size());
-      }
-    });
-  for (Index i = 0; i < numberOfPoints; ++i)
-  {
-    this->EdgeOffsets[i + 1] += this->EdgeOffsets[i];
-  }
-  this->EdgeStarts.resize(this->EdgeOffsets.back());
-  this->EdgeEnds.resize(this->EdgeOffsets.back());
-  vtkSMPTools::For(0, numberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<Index> ends;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        collect(static_cast<Index>(i), ends);
-        const Index offset = this->EdgeOffsets[i];
-        std::copy(ends.begin(), ends.end(), this->EdgeEnds.begin() + offset);
-        std::fill_n(this->EdgeStarts.begin() + offset, ends.size(), static_cast<Index>(i));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-TriangleMesh::Index TriangleMesh::FindEdge(Index a, Index b) const
-{
-  const auto first = this->EdgeEnds.begin() + this->EdgeOffsets[std::min(a, b)];
-  const auto last = this->EdgeEnds.begin() + this->EdgeOffsets[std::min(a, b) + 1];
-  return static_cast<Index>(std::lower_bound(first, last, std::max(a, b)) - this->EdgeEnds.begin());
 }
 }

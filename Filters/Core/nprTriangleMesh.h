@@ -51,6 +51,10 @@ public:
   const Triangle& GetTriangle(Index triangle) const { return this->Triangles[triangle]; }
   /// What was subtracted from the points.
   const Eigen::Vector3d& GetOrigin() const { return this->Origin; }
+  /// A power of two about as large as the largest coordinate (1 if all are zero). Lengths divided
+  /// by it are exact, and products of several neither vanish nor overflow in single precision,
+  /// whatever the unit of the coordinates.
+  float GetUnit() const { return this->Unit; }
   /// The cell of the vtkPolyData that the triangle is.
   vtkIdType GetCellId(Index triangle) const
   {
@@ -93,8 +97,13 @@ public:
   }
   /// How many triangles have an edge between two points (needs the incidence).
   int CountTrianglesAtEdge(Index from, Index to) const;
+
   /// Whether an edge at the point has another number of triangles than two (needs the incidence).
   bool IsBorderPoint(Index point) const;
+  /// Finds IsBorderPoint() for all points, and builds the incidence where it is not.
+  void BuildBorder();
+  /// 1 for border points, else 0.
+  const std::vector<unsigned char>& GetBorder() const { return this->Border; }
 
   /// Numbers the edges: ascending by their lower, then by their higher point.
   void BuildEdges();
@@ -109,15 +118,31 @@ public:
   ///@}
 
 private:
-  bool IsUsable(const vtkIdType* corners) const;
+  void ReadPoints(vtkPolyData* surface);
+  void ReadTriangles(vtkPolyData* surface);
+  /// The triangles of a surface that has no other cells, as nearly all have. False if one of them
+  /// can not be taken, or the ids are not of this type.
+  template<typename Ids>
+  bool ReadAllTriangles(vtkPolyData* surface);
+  template<typename Id>
+  bool IsUsable(const Id* corners) const;
+  /// Whether each triangle around a point is followed by just one other: where one edge at the
+  /// point leaves a triangle, it enters the next. Says false where there are more than `Capacity`.
+  template<int Capacity>
+  bool IsClosedFan(Index point) const;
+  /// Sets the unit and whether all coordinates are numbers.
+  void MeasurePoints();
 
   std::vector<Vector> Points;
   std::vector<Triangle> Triangles;
-  std::vector<vtkIdType> CellIds;
+  std::vector<vtkIdType> CellIds; // empty where the triangles are the cells
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
+  float Unit = 1.0f;
+  bool IsFinite = true;
   std::vector<Triangle> Neighbours;
   std::vector<Index> IncidentOffsets;
   std::vector<Index> Incident;
+  std::vector<unsigned char> Border;
   std::vector<Index> EdgeOffsets;
   std::vector<Index> EdgeStarts;
   std::vector<Index> EdgeEnds;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCurvature.h"
 
+#include "nprCornerAreas.h"
+
 #include <vtkSMPTools.h>
 
 #include <Eigen/Geometry>
@@ -16,55 +18,6 @@ namespace
 {
 using Index = TriangleMesh::Index;
 using Eigen::Vector3d;
-
-/// The form of one triangle: UU, UV, VV in its frame, and the areas that it lends its corners.
-struct FaceForm
-{
-  Eigen::Vector3f Components = Eigen::Vector3f::Zero();
-  Eigen::Vector3f CornerAreas = Eigen::Vector3f::Zero();
-};
-
-//------------------------------------------------------------------------------
-FaceForm FitForm(
-  const TriangleMesh& mesh, const Tuples<3>& normals, const TriangleMesh::Triangle& corners)
-{
-  FaceForm form;
-  const FaceFrame face(mesh, corners);
-  if (!face.IsUsable)
-  {
-    return form;
-  }
-  // The normal equations of II (u, v) = (du, dv) over the three edges.
-  double uu = 0.0;
-  double uv = 0.0;
-  double vv = 0.0;
-  Vector3d right = Vector3d::Zero();
-  for (int i = 0; i < 3; ++i)
-  {
-    const double u = face.Edges[i].dot(face.Frame.U);
-    const double v = face.Edges[i].dot(face.Frame.V);
-    const Vector3d turn =
-      (normals[corners[(i + 2) % 3]] - normals[corners[(i + 1) % 3]]).cast<double>();
-    const double du = turn.dot(face.Frame.U);
-    const double dv = turn.dot(face.Frame.V);
-    uu += u * u;
-    uv += u * v;
-    vv += v * v;
-    right += Vector3d(u * du, v * du + u * dv, v * dv);
-  }
-  const double sum = uu + vv;
-  const double determinant = sum * (uu * vv - uv * uv);
-  const Vector3d solution((sum * vv - uv * uv) * right[0] - uv * vv * right[1] + uv * uv * right[2],
-    -uv * vv * right[0] + uu * vv * right[1] - uu * uv * right[2],
-    uv * uv * right[0] - uu * uv * right[1] + (sum * uu - uv * uv) * right[2]);
-  const Eigen::Vector3f components = (solution / determinant).cast<float>();
-  if (components.allFinite())
-  {
-    form.Components = components;
-    form.CornerAreas = face.GetCornerAreas().cast<float>();
-  }
-  return form;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -93,22 +46,11 @@ FaceFrame::FaceFrame(const TriangleMesh& mesh, const TriangleMesh::Triangle& cor
 //------------------------------------------------------------------------------
 Vector3d FaceFrame::GetCornerAreas() const
 {
-  // dots[i] has the sign of the cosine of the angle at corner i.
-  const Vector3d dots(-this->Edges[1].dot(this->Edges[2]), -this->Edges[2].dot(this->Edges[0]),
-    -this->Edges[0].dot(this->Edges[1]));
-  for (int i = 0; i < 3; ++i)
-  {
-    if (dots[i] < 0.0)
-    {
-      Vector3d areas = Vector3d::Constant(0.25 * this->Area);
-      areas[i] = 0.5 * this->Area;
-      return areas;
-    }
-  }
-  const double scale = 0.0625 / this->Area; // 1/8 of cotangent = dot / (2 area)
-  const Vector3d shares(dots[0] * this->Edges[0].squaredNorm() * scale,
-    dots[1] * this->Edges[1].squaredNorm() * scale, dots[2] * this->Edges[2].squaredNorm() * scale);
-  return { shares[1] + shares[2], shares[2] + shares[0], shares[0] + shares[1] };
+  const auto& e = this->Edges;
+  const std::array<double, 3> areas =
+    ComputeCornerAreas<double>({ -e[1].dot(e[2]), -e[2].dot(e[0]), -e[0].dot(e[1]) },
+      { e[0].squaredNorm(), e[1].squaredNorm(), e[2].squaredNorm() }, 2.0 * this->Area);
+  return { areas[0], areas[1], areas[2] };
 }
 
 //------------------------------------------------------------------------------
@@ -116,12 +58,17 @@ PrincipalFrame Diagonalise(const SymmetricTensor& tensor, const Vector3d& normal
 {
   const TangentFrame frame = MakeTangentFrame(normal);
   const Vector3d form = ToFrame(tensor, frame);
-  // Half of the difference of the eigenvalues, and twice the angle of the direction of the larger.
+  // Half of the difference of the eigenvalues, and the direction of the larger: at half the angle
+  // of (half, form[1]), by the half-angle formulas, of which one divides by what is not small.
   const double mean = 0.5 * (form[0] + form[2]);
   const double half = 0.5 * (form[0] - form[2]);
-  const double radius = std::hypot(half, form[1]);
-  const double angle = 0.5 * std::atan2(form[1], half);
-  const Vector3d direction = std::cos(angle) * frame.U + std::sin(angle) * frame.V;
+  const double radius = std::sqrt(half * half + form[1] * form[1]);
+  const double longer = std::sqrt(0.5 * (radius + std::abs(half)));
+  const double shorter = longer > 0.0 ? 0.5 * std::abs(form[1]) / longer : 0.0;
+  const double scale = longer > 0.0 ? 1.0 / std::sqrt(radius) : 1.0;
+  const double u = longer > 0.0 ? (half >= 0.0 ? longer : shorter) : 1.0;
+  const double v = std::copysign(half >= 0.0 ? shorter : longer, form[1]);
+  const Vector3d direction = scale * (u * frame.U + v * frame.V);
   PrincipalFrame principal;
   principal.K1 = mean + radius;
   principal.K2 = mean - radius;
@@ -136,76 +83,46 @@ PrincipalFrame Diagonalise(const SymmetricTensor& tensor, const Vector3d& normal
 }
 
 //------------------------------------------------------------------------------
-Tuples<6> ComputeCurvatureTensors(
-  const TriangleMesh& mesh, const Tuples<3>& normals, std::vector<unsigned char>& unknown)
+std::vector<float> ComputePointAreas(const TriangleMesh& mesh)
 {
-  std::vector<FaceForm> forms(mesh.GetNumberOfTriangles());
+  Tuples<3> shares(mesh.GetTriangles().size());
+  const float perUnit = 1.0f / mesh.GetUnit();
   vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType t = begin; t < end; ++t)
       {
-        forms[t] = FitForm(mesh, normals, mesh.GetTriangle(static_cast<Index>(t)));
+        const TriangleMesh::Triangle& corners = mesh.GetTriangle(static_cast<Index>(t));
+        const Eigen::Vector3f a = (mesh.GetPoint(corners[1]) - mesh.GetPoint(corners[0])) * perUnit;
+        const Eigen::Vector3f b = (mesh.GetPoint(corners[2]) - mesh.GetPoint(corners[0])) * perUnit;
+        const float aa = a.squaredNorm();
+        const float bb = b.squaredNorm();
+        const float ab = a.dot(b);
+        const float doubleArea = a.cross(b).norm();
+        shares[t].setZero();
+        if (doubleArea > 0.0f)
+        {
+          const auto areas = ComputeCornerAreas<float>(
+            { ab, aa - ab, bb - ab }, { (b - a).squaredNorm(), bb, aa }, doubleArea);
+          shares[t] = { areas[0], areas[1], areas[2] };
+        }
       }
     });
-
-  Tuples<6> tensors(mesh.GetNumberOfPoints());
-  unknown.assign(mesh.GetNumberOfPoints(), 1);
-  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Index point = static_cast<Index>(i);
-        const Vector3d normal = normals[i].cast<double>();
-        SymmetricTensor sum = SymmetricTensor::Zero();
-        double area = 0.0;
-        for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
-        {
-          const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
-          const int here = corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
-          const double weight = forms[*t].CornerAreas[here];
-          if (!(weight > 0.0))
-          {
-            continue;
-          }
-          const FaceFrame face(mesh, corners);
-          const MinimalRotation rotation(face.GetNormalTowards(normal), normal);
-          sum += weight * FromFrame(forms[*t].Components.cast<double>(), rotation(face.Frame));
-          area += weight;
-        }
-        if (area > 0.0)
-        {
-          sum /= area;
-          unknown[i] = 0;
-        }
-        tensors[i] = sum.cast<float>();
-      }
-    });
-  return tensors;
-}
-
-//------------------------------------------------------------------------------
-std::vector<float> ComputePointAreas(const TriangleMesh& mesh)
-{
   std::vector<float> areas(mesh.GetNumberOfPoints());
+  const float squareUnit = mesh.GetUnit() * mesh.GetUnit();
   vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const Index point = static_cast<Index>(i);
-        double sum = 0.0;
+        float sum = 0.0f;
         for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
         {
           const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
-          const FaceFrame face(mesh, corners);
-          if (face.Area > 0.0)
-          {
-            sum += face.GetCornerAreas()[corners[0] == point ? 0 : (corners[1] == point ? 1 : 2)];
-          }
+          sum += shares[*t][corners[0] == point ? 0 : (corners[1] == point ? 1 : 2)];
         }
-        areas[i] = static_cast<float>(sum);
+        areas[i] = sum * squareUnit;
       }
     });
   return areas;

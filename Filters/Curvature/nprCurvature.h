@@ -24,8 +24,7 @@ struct VTKNPRFILTERSCURVATURE_EXPORT FaceFrame
 {
   FaceFrame(const TriangleMesh& mesh, const TriangleMesh::Triangle& corners);
 
-  /// Mixed Voronoi areas of the corners (Meyer et al. 2003): they add up to the area, and each is
-  /// the part of the triangle that is nearest to its corner, but for obtuse triangles.
+  /// Mixed Voronoi areas of the corners (see nprCornerAreas.h).
   Eigen::Vector3d GetCornerAreas() const;
 
   /// The normal of the plane towards the side that a point's normal points to: given normals may
@@ -55,21 +54,6 @@ struct PrincipalFrame
 /// At an umbilic (K1 = K2) the directions are arbitrary, but always the same.
 VTKNPRFILTERSCURVATURE_EXPORT PrincipalFrame Diagonalise(
   const SymmetricTensor& tensor, const Eigen::Vector3d& normal);
-
-/**
- * The second fundamental form at the points, as tensors in space (needs the incidence).
- *
- * S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004: in
- * each triangle the least squares solution of II(edge) = difference of the normals; at a point
- * their mean, weighted by the point's share of the area, each turned into its tangent plane about
- * the cross product of the normals. On a border only one side contributes. Zero where nothing is
- * known.
- *
- * @param normals unit normals, one for each point
- * @param[out] unknown 1 for each point where nothing is known, else 0
- */
-VTKNPRFILTERSCURVATURE_EXPORT Tuples<6> ComputeCurvatureTensors(
-  const TriangleMesh& mesh, const Tuples<3>& normals, std::vector<unsigned char>& unknown);
 
 /// Mixed Voronoi areas of the points (needs the incidence); length^2. They add up to the surface's
 /// area.

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <limits>
 
 namespace npr
 {
@@ -23,47 +24,91 @@ Vector3d Corner(const TriangleMesh& mesh, Index point)
 }
 
 //------------------------------------------------------------------------------
-Vector3d ComputeNormal(const TriangleMesh& mesh, NormalWeights weights, Index point)
+/// The normal by this weighting. False where the triangles cancel each other or have no area, and
+/// in single precision also where that does not suffice for their sizes.
+template<typename Real, NormalWeights Weights>
+bool AddUpNormals(
+  const TriangleMesh& mesh, Index point, Real perUnit, Eigen::Matrix<Real, 3, 1>& normal)
 {
-  const Vector3d p = Corner(mesh, point);
-  Vector3d sum = Vector3d::Zero();
-  Vector3d largest = Vector3d::Zero();
-  double magnitude = 0.0;
+  using Vector = Eigen::Matrix<Real, 3, 1>;
+  const Vector p = mesh.GetPoint(point).template cast<Real>();
+  Vector sum = Vector::Zero();
+  Real magnitude = 0;
   for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
   {
     const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
     const int here = corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
-    const Vector3d a = Corner(mesh, corners[(here + 1) % 3]) - p;
-    const Vector3d b = Corner(mesh, corners[(here + 2) % 3]) - p;
-    const Vector3d area = a.cross(b);
-    const double squaredArea = area.squaredNorm();
-    if (!(squaredArea > 0.0))
+    const Index next = corners[here == 2 ? 0 : here + 1];
+    const Index last = corners[here == 0 ? 2 : here - 1];
+    const Vector a = (mesh.GetPoint(next).template cast<Real>() - p) * perUnit;
+    const Vector b = (mesh.GetPoint(last).template cast<Real>() - p) * perUnit;
+    const Vector area = a.cross(b);
+    const Real squaredArea = area.squaredNorm();
+    if (!(squaredArea > Real(0)))
     {
       continue;
     }
-    double weight = 1.0;
-    if (weights == NormalWeights::Max)
+    Real weight = 1;
+    if (Weights == NormalWeights::Max)
     {
-      weight = 1.0 / (a.squaredNorm() * b.squaredNorm());
+      weight = Real(1) / (a.squaredNorm() * b.squaredNorm());
     }
-    else if (weights == NormalWeights::Angle)
+    else if (Weights == NormalWeights::Angle)
     {
-      const double length = std::sqrt(squaredArea);
+      const Real length = std::sqrt(squaredArea);
       weight = std::atan2(length, a.dot(b)) / length;
     }
     sum += weight * area;
     magnitude += weight * weight * squaredArea;
-    if (squaredArea > largest.squaredNorm())
+  }
+  // Where the triangles cancel each other the direction of the sum is rounding noise.
+  const Real square = sum.squaredNorm();
+  const Real noise = std::numeric_limits<Real>::epsilon();
+  normal = sum / std::sqrt(square);
+  return square > Real(1e3) * noise * noise * magnitude && std::isfinite(square) &&
+    std::isfinite(magnitude);
+}
+
+//------------------------------------------------------------------------------
+/// The direction of the largest triangle, or else the z axis.
+Vector3d GetLargestNormal(const TriangleMesh& mesh, Index point)
+{
+  Vector3d largest = Vector3d::Zero();
+  for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+  {
+    const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
+    const Vector3d p = Corner(mesh, corners[0]);
+    const Vector3d area = (Corner(mesh, corners[1]) - p).cross(Corner(mesh, corners[2]) - p);
+    if (area.squaredNorm() > largest.squaredNorm())
     {
       largest = area;
     }
   }
-  // Where the triangles cancel each other the direction of the sum is rounding noise.
-  if (sum.squaredNorm() > 1e-16 * magnitude)
-  {
-    return sum.normalized();
-  }
   return largest.squaredNorm() > 0.0 ? largest.normalized() : Vector3d::UnitZ();
+}
+
+//------------------------------------------------------------------------------
+template<NormalWeights Weights>
+void AddUpNormals(const TriangleMesh& mesh, Tuples<3>& normals)
+{
+  const float perUnit = 1.0f / mesh.GetUnit();
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Index point = static_cast<Index>(i);
+        if (!AddUpNormals<float, Weights>(mesh, point, perUnit, normals[i]))
+        {
+          Vector3d normal;
+          if (!AddUpNormals<double, Weights>(mesh, point, perUnit, normal))
+          {
+            normal = GetLargestNormal(mesh, point);
+          }
+          normals[i] = normal.cast<float>();
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -168,14 +213,18 @@ void FitBorderNormals(const TriangleMesh& mesh, Tuples<3>& normals)
 Tuples<3> ComputeNormals(const TriangleMesh& mesh, NormalWeights weights)
 {
   Tuples<3> normals(mesh.GetNumberOfPoints());
-  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        normals[i] = ComputeNormal(mesh, weights, static_cast<Index>(i)).cast<float>();
-      }
-    });
+  switch (weights)
+  {
+    case NormalWeights::Max:
+      AddUpNormals<NormalWeights::Max>(mesh, normals);
+      break;
+    case NormalWeights::Area:
+      AddUpNormals<NormalWeights::Area>(mesh, normals);
+      break;
+    case NormalWeights::Angle:
+      AddUpNormals<NormalWeights::Angle>(mesh, normals);
+      break;
+  }
   FitBorderNormals(mesh, normals);
   return normals;
 }
@@ -210,6 +259,10 @@ Tuples<3> GetUnitNormals(const TriangleMesh& mesh, vtkDataArray* given)
 //------------------------------------------------------------------------------
 std::vector<unsigned char> ComputeBorderPoints(const TriangleMesh& mesh)
 {
+  if (!mesh.GetBorder().empty())
+  {
+    return mesh.GetBorder();
+  }
   std::vector<unsigned char> border(mesh.GetNumberOfPoints());
   vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)

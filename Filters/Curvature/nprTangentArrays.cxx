@@ -11,6 +11,8 @@
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
+#include <utility>
+
 namespace npr
 {
 //------------------------------------------------------------------------------
@@ -21,43 +23,84 @@ vtkDataArray* FindNormals(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tuples<3>& normals,
-  const CurvatureArrays& wanted)
+void AddCurvatureArrays(vtkPolyData* surface, Tuples<6> tensors, const Tuples<3>& normals,
+  const CurvatureArrays& wanted, Tuples<4> derivatives)
 {
-  const PrincipalFrames frames = ComputePrincipalFrames(tensors, normals);
-  vtkPointData* pointData = surface->GetPointData();
-  const auto addValues = [&](bool isWanted, const char* name, const auto& compute)
+  const auto makeTuples = [&](bool isWanted, auto tuples)
   {
-    if (isWanted)
+    tuples.resize(isWanted ? normals.size() : 0);
+    return tuples;
+  };
+  Tuples<1> k1 = makeTuples(wanted.PrincipalCurvatures, Tuples<1>());
+  Tuples<1> k2 = makeTuples(wanted.PrincipalCurvatures, Tuples<1>());
+  Tuples<3> e1 = makeTuples(wanted.PrincipalDirections, Tuples<3>());
+  Tuples<3> e2 = makeTuples(wanted.PrincipalDirections, Tuples<3>());
+  Tuples<1> mean = makeTuples(wanted.MeanCurvature, Tuples<1>());
+  Tuples<1> gauss = makeTuples(wanted.GaussianCurvature, Tuples<1>());
+  Tuples<1> shapeIndex = makeTuples(wanted.ShapeIndex, Tuples<1>());
+  Tuples<1> curvedness = makeTuples(wanted.Curvedness, Tuples<1>());
+  // One pass over all points: each principal frame serves all arrays.
+  vtkSMPTools::For(0, static_cast<vtkIdType>(normals.size()),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<float> values(tensors.size());
-      for (std::size_t i = 0; i < values.size(); ++i)
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        values[i] = compute(frames.K1[i], frames.K2[i]);
+        const Eigen::Vector3d normal = normals[i].cast<double>();
+        const PrincipalFrame frame = Diagonalise(tensors[i].cast<double>(), normal);
+        const float first = static_cast<float>(frame.K1);
+        const float second = static_cast<float>(frame.K2);
+        const auto set = [i](Tuples<1>& values, float value)
+        {
+          if (!values.empty())
+          {
+            values[i][0] = value;
+          }
+        };
+        set(k1, first);
+        set(k2, second);
+        set(mean, 0.5f * (first + second));
+        set(gauss, first * second);
+        if (!e1.empty())
+        {
+          e1[i] = frame.E1.cast<float>();
+          e2[i] = frame.E2.cast<float>();
+        }
+        if (!shapeIndex.empty())
+        {
+          shapeIndex[i][0] = ComputeShapeIndex(first, second);
+        }
+        if (!curvedness.empty())
+        {
+          curvedness[i][0] = ComputeCurvedness(first, second);
+        }
+        if (!derivatives.empty())
+        {
+          derivatives[i] = ChangeFrame(
+            derivatives[i].cast<double>(), MakeTangentFrame(normal), { frame.E1, frame.E2 })
+                             .cast<float>();
+        }
       }
-      pointData->AddArray(MakeArray(name, values));
+    });
+  const auto add = [&](const char* name, auto& tuples)
+  {
+    if (!tuples.empty())
+    {
+      surface->GetPointData()->AddArray(MakeArray(name, std::move(tuples)));
     }
   };
   if (wanted.Tensor)
   {
-    pointData->AddArray(MakeArray<6>(names::CurvatureTensor, tensors));
+    add(names::CurvatureTensor, tensors);
   }
-  if (wanted.PrincipalCurvatures)
-  {
-    pointData->AddArray(MakeArray(names::PrincipalCurvature1, frames.K1));
-    pointData->AddArray(MakeArray(names::PrincipalCurvature2, frames.K2));
-  }
-  if (wanted.PrincipalDirections)
-  {
-    pointData->AddArray(MakeArray<3>(names::PrincipalDirection1, frames.E1));
-    pointData->AddArray(MakeArray<3>(names::PrincipalDirection2, frames.E2));
-  }
-  addValues(wanted.MeanCurvature, names::MeanCurvature,
-    [](float k1, float k2) { return 0.5f * (k1 + k2); });
-  addValues(
-    wanted.GaussianCurvature, names::GaussianCurvature, [](float k1, float k2) { return k1 * k2; });
-  addValues(wanted.ShapeIndex, names::ShapeIndex, ComputeShapeIndex);
-  addValues(wanted.Curvedness, names::Curvedness, ComputeCurvedness);
+  add(names::PrincipalCurvature1, k1);
+  add(names::PrincipalCurvature2, k2);
+  add(names::PrincipalDirection1, e1);
+  add(names::PrincipalDirection2, e2);
+  add(names::MeanCurvature, mean);
+  add(names::GaussianCurvature, gauss);
+  add(names::ShapeIndex, shapeIndex);
+  add(names::Curvedness, curvedness);
+  add(names::CurvatureDerivatives, derivatives);
 }
 
 //------------------------------------------------------------------------------

@@ -34,9 +34,11 @@ struct CurvatureArrays
   bool Curvedness = false;
 };
 
-/// Adds what is wanted.
-void AddCurvatureArrays(vtkPolyData* surface, const Tuples<6>& tensors, const Tuples<3>& normals,
-  const CurvatureArrays& wanted = CurvatureArrays());
+/// Adds what is wanted. Tensors that are moved here become an array as they are.
+/// @param derivatives over MakeTangentFrame(normal); where there are any, they are added as P, Q,
+/// S, T in the principal frames
+void AddCurvatureArrays(vtkPolyData* surface, Tuples<6> tensors, const Tuples<3>& normals,
+  const CurvatureArrays& wanted = CurvatureArrays(), Tuples<4> derivatives = Tuples<4>());
 
 /// P, Q, S, T: the estimate's derivatives in the principal frames of its tensors.
 Tuples<4> ToPrincipalFrames(const CurvatureEstimate& estimate);

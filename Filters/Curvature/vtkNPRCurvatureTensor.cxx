@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 vtkStandardNewMacro(vtkNPRCurvatureTensor);
 
@@ -148,7 +149,7 @@ int vtkNPRCurvatureTensor::RequestData(
     return 1;
   }
   npr::TriangleMesh mesh(input);
-  mesh.BuildIncidence();
+  mesh.BuildBorder();
   vtkDataArray* const given = npr::FindNormals(input);
   const npr::Tuples<3> normals = npr::GetUnitNormals(mesh, given);
   const auto estimator = this->MakeEstimator(input, mesh);
@@ -186,18 +187,14 @@ int vtkNPRCurvatureTensor::RequestData(
   this->UpdateProgress(0.9);
 
   vtkPointData* const pointData = output->GetPointData();
-  if (this->OutputNormals)
-  {
-    pointData->SetNormals(npr::MakeArray<3>(npr::names::Normals, estimate.Normals));
-  }
-  npr::AddCurvatureArrays(output, estimate.Tensors, estimate.Normals,
+  npr::AddCurvatureArrays(output, std::move(estimate.Tensors), estimate.Normals,
     { this->OutputTensor, this->OutputPrincipalCurvatures, this->OutputPrincipalDirections,
       this->OutputMeanCurvature, this->OutputGaussianCurvature, this->OutputShapeIndex,
-      this->OutputCurvedness });
-  if (this->OutputDerivatives)
+      this->OutputCurvedness },
+    std::move(estimate.Derivatives));
+  if (this->OutputNormals)
   {
-    pointData->AddArray(
-      npr::MakeArray<4>(npr::names::CurvatureDerivatives, npr::ToPrincipalFrames(estimate)));
+    pointData->SetNormals(npr::MakeArray(npr::names::Normals, std::move(estimate.Normals)));
   }
   if (this->OutputPointArea)
   {
@@ -205,8 +202,7 @@ int vtkNPRCurvatureTensor::RequestData(
   }
   if (this->OutputBorderPoints)
   {
-    pointData->AddArray(
-      npr::MakeFlagArray(npr::names::BorderPoints, npr::ComputeBorderPoints(mesh)));
+    pointData->AddArray(npr::MakeFlagArray(npr::names::BorderPoints, mesh.GetBorder()));
   }
   if (this->OutputUnknownCurvature)
   {
