@@ -87,7 +87,8 @@ int TestDirectionStrokes(int, char*[])
       }
       check(std::abs(stroke.Points[i].head<2>().norm() - 0.5) < 0.01, "they lie on the surface");
     }
-    check(length < 5.01 * spacing && length > 0.9 * spacing, "they are of the length asked for", length);
+    check(length < 5.01 * spacing && length > 0.9 * spacing, "they are of the length asked for",
+      length);
   }
   // On the side of one stroke, no other is nearer than half of the spacing; and no place is bare.
   double nearest = 1.0;
