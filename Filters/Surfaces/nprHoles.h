@@ -34,10 +34,10 @@ struct HoleFilling
  *
  * A border that passes through a point several times is several holes.
  *
- * Left open are borders of more than 400 edges, those that could only be closed by triangles without
- * area, by an edge that is there already, or by folding the surface back by more than 120 degrees,
- * and those whose filling would have at least half the area of the component they bound: they are
- * the outline of a sheet and not a hole in one.
+ * Left open are borders of more than 400 edges, those that could only be closed by triangles
+ * without area, by an edge that is there already, or by folding the surface back by more than 120
+ * degrees, and those whose filling would have at least half the area of the component they bound:
+ * they are the outline of a sheet and not a hole in one.
  *
  * @param maximumLength of the border
  */
