@@ -51,9 +51,9 @@ vtkSmartPointer<vtkAbstractArray> ExtendArray(
       {
         for (int c = 0; c < size; ++c)
         {
-          values[point * size + c] = 0.5f *
-            (values[static_cast<vtkIdType>(ends[0]) * size + c] +
-              values[static_cast<vtkIdType>(ends[1]) * size + c]);
+          // Not half of the sum, which may be too large for a number.
+          values[point * size + c] = 0.5f * values[static_cast<vtkIdType>(ends[0]) * size + c] +
+            0.5f * values[static_cast<vtkIdType>(ends[1]) * size + c];
         }
       });
     return extended;

@@ -138,7 +138,7 @@ TangentFrame SurfaceDiffusion::GetFrame(Index point) const
 }
 
 //------------------------------------------------------------------------------
-void SurfaceDiffusion::Smooth(Field& field, int spin, double radius) const
+void SurfaceDiffusion::Smooth(Field& field, int spin, double radius, const Progress& progress) const
 {
   const double time = 0.5 * radius * radius;
   // Points with up to half as much again as the mean rate are followed exactly; only smaller
@@ -168,6 +168,10 @@ void SurfaceDiffusion::Smooth(Field& field, int spin, double radius) const
   {
     for (int stage = 1; stage <= stages; ++stage)
     {
+      if (!progress((part + (stage - 1.0) / stages) / parts))
+      {
+        return;
+      }
       // The new values are written over the last but one, which nothing needs but the new ones.
       const float swing = stage == 1 ? 0.0f : static_cast<float>(stage - 1) / stage;
       const float length = static_cast<float>(step * (2.0 * stage - 1.0) / stage);
@@ -191,6 +195,7 @@ void SurfaceDiffusion::Smooth(Field& field, int spin, double radius) const
       field.swap(last);
     }
   }
+  progress(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -225,7 +230,8 @@ void SurfaceDiffusion::PreserveFeatures(const TriangleMesh& mesh, double strengt
 }
 
 //------------------------------------------------------------------------------
-void SurfaceDiffusion::SmoothNormals(Tuples<3>& normals, double radius) const
+void SurfaceDiffusion::SmoothNormals(
+  Tuples<3>& normals, double radius, const Progress& progress) const
 {
   Field xy(normals.size());
   Field z(normals.size());
@@ -234,8 +240,8 @@ void SurfaceDiffusion::SmoothNormals(Tuples<3>& normals, double radius) const
     xy[i] = { normals[i].x(), normals[i].y() };
     z[i] = normals[i].z();
   }
-  this->Smooth(xy, 0, radius);
-  this->Smooth(z, 0, radius);
+  this->Smooth(xy, 0, radius, PartOf(progress, 0.0, 0.5));
+  this->Smooth(z, 0, radius, PartOf(progress, 0.5, 1.0));
   for (std::size_t i = 0; i < normals.size(); ++i)
   {
     const Eigen::Vector3f smooth(xy[i].real(), xy[i].imag(), z[i].real());
@@ -248,7 +254,8 @@ void SurfaceDiffusion::SmoothNormals(Tuples<3>& normals, double radius) const
 }
 
 //------------------------------------------------------------------------------
-void SurfaceDiffusion::SmoothTensors(Tuples<6>& tensors, double radius) const
+void SurfaceDiffusion::SmoothTensors(
+  Tuples<6>& tensors, double radius, const Progress& progress) const
 {
   // The mean of the two curvatures is a scalar; the rest turns by twice the angle.
   Field mean(tensors.size());
@@ -265,8 +272,8 @@ void SurfaceDiffusion::SmoothTensors(Tuples<6>& tensors, double radius) const
         rest[i] = { 0.5f * (form[0] - form[2]), form[1] };
       }
     });
-  this->Smooth(mean, 0, radius);
-  this->Smooth(rest, 2, radius);
+  this->Smooth(mean, 0, radius, PartOf(progress, 0.0, 0.5));
+  this->Smooth(rest, 2, radius, PartOf(progress, 0.5, 1.0));
   vtkSMPTools::For(0, size,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -280,7 +287,8 @@ void SurfaceDiffusion::SmoothTensors(Tuples<6>& tensors, double radius) const
 }
 
 //------------------------------------------------------------------------------
-void SurfaceDiffusion::SmoothCubics(Tuples<4>& cubics, const Tuples<3>& e1, double radius) const
+void SurfaceDiffusion::SmoothCubics(
+  Tuples<4>& cubics, const Tuples<3>& e1, double radius, const Progress& progress) const
 {
   // C(x,x,x) over the unit circle, x at the angle a, has just the terms cos a, sin a, cos 3a, sin
   // 3a.
@@ -304,8 +312,8 @@ void SurfaceDiffusion::SmoothCubics(Tuples<4>& cubics, const Tuples<3>& e1, doub
         third[i] = { 0.25f * (c[0] - 3.0f * c[2]), 0.25f * (3.0f * c[1] - c[3]) };
       }
     });
-  this->Smooth(first, 1, radius);
-  this->Smooth(third, 3, radius);
+  this->Smooth(first, 1, radius, PartOf(progress, 0.0, 0.5));
+  this->Smooth(third, 3, radius, PartOf(progress, 0.5, 1.0));
   vtkSMPTools::For(0, size,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -16,6 +16,7 @@
 #ifndef nprSurfaceDiffusion_h
 #define nprSurfaceDiffusion_h
 
+#include "nprProgress.h"
 #include "nprTangentFrame.h"
 #include "nprTriangleMesh.h"
 #include "nprTupleArrays.h"
@@ -26,6 +27,11 @@
 
 namespace npr
 {
+/// Of how many rings of triangles a filter that smooths asks other pieces for. How many a radius is
+/// can not be known before the triangles are; these hold six radii of four edges each, beyond which
+/// a Gaussian has nothing.
+inline constexpr int DiffusionReach = 24;
+
 /// The weights of one surface, for any number of fields on it.
 class VTKNPRFILTERSCURVATURE_EXPORT SurfaceDiffusion
 {
@@ -57,12 +63,17 @@ public:
   /// of scalars, 1 for tangent vectors, 2 and 3 for the parts of tensors and cubic forms.
   using Field = std::vector<std::complex<float>>;
   /// @param radius standard deviation of the smoothing; length
-  void Smooth(Field& field, int spin, double radius) const;
+  /// @param progress when it answers false, the result is incomplete and must not be used
+  void Smooth(
+    Field& field, int spin, double radius, const Progress& progress = IgnoreProgress) const;
 
-  void SmoothNormals(Tuples<3>& normals, double radius) const;
-  void SmoothTensors(Tuples<6>& tensors, double radius) const;
+  void SmoothNormals(
+    Tuples<3>& normals, double radius, const Progress& progress = IgnoreProgress) const;
+  void SmoothTensors(
+    Tuples<6>& tensors, double radius, const Progress& progress = IgnoreProgress) const;
   /// @param e1 first unit vectors of the frames that the cubic forms refer to
-  void SmoothCubics(Tuples<4>& cubics, const Tuples<3>& e1, double radius) const;
+  void SmoothCubics(Tuples<4>& cubics, const Tuples<3>& e1, double radius,
+    const Progress& progress = IgnoreProgress) const;
 
 private:
   struct Link

@@ -26,6 +26,10 @@ enum class NormalWeights
   Angle ///< its angle there
 };
 
+/// Of how many rings of triangles around a point its normal may depend: one, and up to four more
+/// where that of a border follows those of its neighbours.
+inline constexpr int NormalsReach = 5;
+
 /**
  * Unit normals at the points (needs the incidence).
  *

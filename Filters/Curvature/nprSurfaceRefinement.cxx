@@ -29,7 +29,7 @@ constexpr double LargestMove = 0.2;    // of the edge's length; a semicircle wou
 constexpr double LargestMoveOfShortest = 0.5; // of the shortest edge at either end
 constexpr double FlatCosine = 0.9999;         // less than 0.8 degrees from end to end
 constexpr double FlatSlope = 0.01;            // between a normal and the plane across the edge
-constexpr int MaximumNumberOfPasses = 12;     // each halves the edges
+constexpr int MaximumNumberOfPasses = RefinementReach; // each halves the edges
 
 /// Edges that are copies of one, where the preparation has split the surface.
 using Copies = std::vector<Index>;
@@ -420,7 +420,8 @@ private:
 
 //------------------------------------------------------------------------------
 RefinedSurface RefineSurface(const TriangleMesh& mesh, const Tuples<3>& normals,
-  const std::vector<Index>& weldedPointIds, const SurfaceRefinementOptions& options)
+  const std::vector<Index>& weldedPointIds, const SurfaceRefinementOptions& options,
+  const Progress& progress)
 {
   RefinedSurface surface;
   surface.Points = mesh.GetPoints();
@@ -436,7 +437,7 @@ RefinedSurface RefineSurface(const TriangleMesh& mesh, const Tuples<3>& normals,
   const bool isUniform = options.NumberOfLevels >= 0;
   const int passes =
     isUniform ? std::min(options.NumberOfLevels, MaximumNumberOfPasses) : MaximumNumberOfPasses;
-  for (int level = 0; level < passes; ++level)
+  for (int level = 0; level < passes && progress(static_cast<double>(level) / passes); ++level)
   {
     Pass pass(surface);
     if (isUniform)
@@ -452,7 +453,7 @@ RefinedSurface RefineSurface(const TriangleMesh& mesh, const Tuples<3>& normals,
       pass.MarkCurvedEdges(options.MaximumEdgeLength, options.MaximumTurn);
       pass.LimitNumberOfTriangles(options.MaximumNumberOfTriangles);
     }
-    if (!pass.HasMarks())
+    if (!pass.HasMarks() || !progress((level + 0.5) / passes))
     {
       break;
     }

@@ -7,6 +7,7 @@
 #ifndef nprSurfaceRefinement_h
 #define nprSurfaceRefinement_h
 
+#include "nprProgress.h"
 #include "nprTriangleMesh.h"
 #include "nprTupleArrays.h"
 #include "vtkNPRFiltersCurvatureModule.h"
@@ -16,6 +17,9 @@
 
 namespace npr
 {
+/// Of how many rings of triangles around an edge it may depend how it is parted: one a pass.
+inline constexpr int RefinementReach = 12;
+
 struct SurfaceRefinementOptions
 {
   /// Passes that split every edge; negative: passes split the edges that are too long and not flat.
@@ -38,6 +42,11 @@ struct RefinedSurface
   std::vector<std::array<TriangleMesh::Index, 2>> Parents;
   /// The first midpoint of each level, as an index into Parents, and their number at the end.
   std::vector<TriangleMesh::Index> LevelStarts;
+
+  vtkIdType GetNumberOfCoarsePoints() const
+  {
+    return static_cast<vtkIdType>(this->Points.size() - this->Parents.size());
+  }
 };
 
 /**
@@ -58,10 +67,11 @@ struct RefinedSurface
  *
  * @param normals unit normals
  * @param weldedPointIds for each point its first copy
+ * @param progress when it answers false, the result is incomplete and must not be used
  */
 VTKNPRFILTERSCURVATURE_EXPORT RefinedSurface RefineSurface(const TriangleMesh& mesh,
   const Tuples<3>& normals, const std::vector<TriangleMesh::Index>& weldedPointIds,
-  const SurfaceRefinementOptions& options);
+  const SurfaceRefinementOptions& options, const Progress& progress = IgnoreProgress);
 }
 
 #endif

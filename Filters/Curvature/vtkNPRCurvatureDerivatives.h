@@ -12,6 +12,9 @@
  *
  * S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004. On
  * irregular meshes third derivatives are noise; smooth the tensor before, or the result here.
+ *
+ * Of pieces of a surface, and of what happens if the filter is aborted, the same holds as for
+ * vtkNPRSurfaceNormals.
  * @sa vtkNPRCurvatureTensor
  */
 #ifndef vtkNPRCurvatureDerivatives_h
@@ -40,11 +43,15 @@ protected:
   vtkNPRCurvatureDerivatives();
   ~vtkNPRCurvatureDerivatives() override;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkNPRCurvatureDerivatives(const vtkNPRCurvatureDerivatives&) = delete;
   void operator=(const vtkNPRCurvatureDerivatives&) = delete;
+
+  /// False if it was aborted: then the output is unfinished.
+  bool Compute(vtkPolyData* input, vtkPolyData* output);
 
   double SmoothingRadius = 0.0;
 };

@@ -7,6 +7,7 @@
 #include "nprCurvature.h"
 #include "nprCurvatureDerivatives.h"
 #include "nprFaceCurvature.h"
+#include "nprGhostLevels.h"
 #include "nprJets.h"
 #include "nprLengthScale.h"
 #include "nprSurfaceDiffusion.h"
@@ -27,7 +28,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkNPRCurvatureTensor);
 
@@ -49,6 +52,32 @@ void StoreRadius(vtkPolyData* surface, double radius)
   array->SetName(npr::names::NeighbourhoodRadius);
   array->InsertNextValue(radius);
   surface->GetFieldData()->AddArray(array);
+}
+
+/// Numbers that are none, such as those of areas beyond single precision, say that nothing is
+/// known.
+void DropNonFinite(const npr::Tuples<3>& normals, npr::CurvatureEstimate& estimate)
+{
+  const bool hasDerivatives = !estimate.Derivatives.empty();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(normals.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (estimate.Normals[i].allFinite() && estimate.Tensors[i].allFinite() &&
+          (!hasDerivatives || estimate.Derivatives[i].allFinite()))
+        {
+          continue;
+        }
+        estimate.Normals[i] = normals[i];
+        estimate.Tensors[i].setZero();
+        if (hasDerivatives)
+        {
+          estimate.Derivatives[i].setZero();
+        }
+        estimate.Unknown[i] = 1;
+      }
+    });
 }
 
 /// The estimate in the tangent planes of other normals, for users who bring theirs.
@@ -109,7 +138,7 @@ int vtkNPRCurvatureTensor::FindEstimator(const char* name)
 
 //------------------------------------------------------------------------------
 std::unique_ptr<npr::CurvatureEstimator> vtkNPRCurvatureTensor::MakeEstimator(
-  vtkPolyData* input, const npr::TriangleMesh& mesh) const
+  vtkPolyData* input, const npr::TriangleMesh* mesh) const
 {
   if (this->Estimator == PER_FACE)
   {
@@ -119,11 +148,11 @@ std::unique_ptr<npr::CurvatureEstimator> vtkNPRCurvatureTensor::MakeEstimator(
   double length = 0.0;
   if (this->NeighbourhoodRadius <= 0.0)
   {
-    radius = GetStoredRadius(input);
+    radius = input ? GetStoredRadius(input) : 0.0;
   }
   else if (this->RadiusUnit == LENGTH_SCALE)
   {
-    length = this->NeighbourhoodRadius * npr::GetLengthScale(input, mesh);
+    length = this->NeighbourhoodRadius * (input ? npr::GetLengthScale(input, *mesh) : 1.0);
   }
   else
   {
@@ -138,32 +167,58 @@ std::unique_ptr<npr::CurvatureEstimator> vtkNPRCurvatureTensor::MakeEstimator(
 }
 
 //------------------------------------------------------------------------------
+int vtkNPRCurvatureTensor::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int smoothing = this->SmoothingRadius > 0.0 ? npr::DiffusionReach : 0;
+  npr::RequestGhostLevels(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0),
+    this->MakeEstimator(nullptr, nullptr)->GetReach() + npr::NormalsReach + smoothing);
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 int vtkNPRCurvatureTensor::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->ShallowCopy(input);
-  if (input->GetNumberOfPoints() == 0)
+  if (input->GetNumberOfPoints() > 0 && !this->Compute(input, output))
   {
-    return 1;
+    output->ShallowCopy(input);
   }
+  npr::DropExtraGhostLevels(output, outputs->GetInformationObject(0));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRCurvatureTensor::Compute(vtkPolyData* input, vtkPolyData* output)
+{
+  const npr::Progress progress = npr::ReportTo(this);
   npr::TriangleMesh mesh(input);
+  if (!progress(0.1))
+  {
+    return false;
+  }
   mesh.BuildBorder();
   vtkDataArray* const given = npr::FindNormals(input);
   const npr::Tuples<3> normals = npr::GetUnitNormals(mesh, given);
-  const auto estimator = this->MakeEstimator(input, mesh);
-  npr::CurvatureEstimate estimate =
-    estimator->Estimate(mesh, normals, this->OutputDerivatives, npr::ReportTo(this, 0.2, 0.8));
-  if (npr::IsAborted(this))
+  if (!progress(0.2))
   {
-    output->ShallowCopy(input);
-    return 1;
+    return false;
+  }
+  const auto estimator = this->MakeEstimator(input, &mesh);
+  npr::CurvatureEstimate estimate =
+    estimator->Estimate(mesh, normals, this->OutputDerivatives, npr::PartOf(progress, 0.2, 0.8));
+  if (!progress(0.8))
+  {
+    return false;
   }
   if (estimate.Radius > 0.0)
   {
     StoreRadius(output, estimate.Radius);
   }
+  DropNonFinite(normals, estimate);
   if (given && estimator->FindsNormals())
   {
     TurnTo(normals, estimate);
@@ -173,7 +228,7 @@ int vtkNPRCurvatureTensor::RequestData(
     npr::SurfaceDiffusion diffusion(mesh, estimate.Normals);
     const double radius = this->SmoothingRadius * npr::GetLengthScale(input, mesh);
     diffusion.PreserveFeatures(mesh, this->FeaturePreservation, radius);
-    diffusion.SmoothTensors(estimate.Tensors, radius);
+    diffusion.SmoothTensors(estimate.Tensors, radius, npr::PartOf(progress, 0.8, 0.85));
     if (this->OutputDerivatives)
     {
       npr::Tuples<3> u(estimate.Normals.size());
@@ -181,10 +236,13 @@ int vtkNPRCurvatureTensor::RequestData(
       {
         u[i] = npr::MakeTangentFrame(estimate.Normals[i].cast<double>()).U.cast<float>();
       }
-      diffusion.SmoothCubics(estimate.Derivatives, u, radius);
+      diffusion.SmoothCubics(estimate.Derivatives, u, radius, npr::PartOf(progress, 0.85, 0.9));
     }
   }
-  this->UpdateProgress(0.9);
+  if (!progress(0.9))
+  {
+    return false;
+  }
 
   vtkPointData* const pointData = output->GetPointData();
   npr::AddCurvatureArrays(output, std::move(estimate.Tensors), estimate.Normals,
@@ -198,7 +256,12 @@ int vtkNPRCurvatureTensor::RequestData(
   }
   if (this->OutputPointArea)
   {
-    pointData->AddArray(npr::MakeArray(npr::names::PointArea, npr::ComputePointAreas(mesh)));
+    std::vector<float> areas = npr::ComputePointAreas(mesh);
+    for (float& area : areas)
+    {
+      area = std::min(area, std::numeric_limits<float>::max());
+    }
+    pointData->AddArray(npr::MakeArray(npr::names::PointArea, areas));
   }
   if (this->OutputBorderPoints)
   {
@@ -217,7 +280,7 @@ int vtkNPRCurvatureTensor::RequestData(
       << npr::names::UnknownCurvature
       << " says where. vtkNPRSurfacePreparation drops such points.");
   }
-  return 1;
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -31,6 +31,10 @@
  *
  * The input's normals (the active ones, else the array "Normals") are used as they are; what is
  * missing or not finite is computed as vtkNPRSurfaceNormals does, or found by the estimator.
+ *
+ * Of pieces of a surface, and of what happens if the filter is aborted, the same holds as for
+ * vtkNPRSurfaceNormals. An automatic NeighbourhoodRadius is that of the piece, and asks for the
+ * ghost levels of the largest: for pieces set it, or bring it as field data.
  * @sa vtkNPRSurfaceNormals vtkNPRCurvatureDerivatives
  */
 #ifndef vtkNPRCurvatureTensor_h
@@ -186,6 +190,7 @@ protected:
   vtkNPRCurvatureTensor();
   ~vtkNPRCurvatureTensor() override;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -193,8 +198,11 @@ private:
   void operator=(const vtkNPRCurvatureTensor&) = delete;
 
 #ifndef __VTK_WRAP__
+  /// Without a surface one that reaches as far as any surface might make it.
   std::unique_ptr<npr::CurvatureEstimator> MakeEstimator(
-    vtkPolyData* input, const npr::TriangleMesh& mesh) const;
+    vtkPolyData* input, const npr::TriangleMesh* mesh) const;
+  /// False if it was aborted: then the output is unfinished.
+  bool Compute(vtkPolyData* input, vtkPolyData* output);
 #endif
 
   int Estimator = JETS;

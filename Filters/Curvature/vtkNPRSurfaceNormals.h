@@ -10,6 +10,11 @@
  * corrected for the missing half of its neighbourhood; where there is no area it still is a unit
  * vector.
  *
+ * Pieces of a surface have the normals of the whole: the filter asks for the ghost levels that it
+ * needs, and drops them. With smoothing it asks for 24, enough for a radius of four edges, and the
+ * input should have the field data LengthScale of the whole; then results differ by what the steps
+ * do (see nprSurfaceDiffusion.h). If the filter is aborted the output is the input.
+ *
  * N. Max, "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999.
  * @sa vtkNPRSurfacePreparation vtkNPRCurvatureTensor
  */
@@ -83,11 +88,15 @@ protected:
   vtkNPRSurfaceNormals();
   ~vtkNPRSurfaceNormals() override;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkNPRSurfaceNormals(const vtkNPRSurfaceNormals&) = delete;
   void operator=(const vtkNPRSurfaceNormals&) = delete;
+
+  /// False if it was aborted: then the output is unfinished.
+  bool Compute(vtkPolyData* input, vtkPolyData* output);
 
   int Weighting = MAX;
   double SmoothingRadius = 0.0;

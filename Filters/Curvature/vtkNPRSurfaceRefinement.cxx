@@ -5,13 +5,15 @@
 #include "nprArrayNames.h"
 #include "nprCurvature.h"
 #include "nprCurvatureEstimator.h"
+#include "nprGhostLevels.h"
 #include "nprLengthScale.h"
 #include "nprMidpointArrays.h"
-#include "nprRemeshedArrays.h"
+#include "nprProgress.h"
 #include "nprSurfaceArrays.h"
 #include "nprSurfaceNormals.h"
 #include "nprSurfaceRefinement.h"
 #include "nprTangentArrays.h"
+#include "nprWeldedPoints.h"
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -22,6 +24,9 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkNPRSurfaceRefinement);
 
@@ -48,11 +53,15 @@ void SetPoints(vtkPolyData* input, const npr::TriangleMesh& mesh,
 }
 
 //------------------------------------------------------------------------------
-/// The input's array of that many components, else null.
-vtkDataArray* Find(vtkPointData* input, const char* name, int components)
+/// The input's array of that many components, a tuple for each point, else null.
+vtkDataArray* Find(
+  vtkPointData* input, const npr::RefinedSurface& refined, const char* name, int components)
 {
   vtkDataArray* array = input->GetArray(name);
-  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+  return array && array->GetNumberOfComponents() == components &&
+      array->GetNumberOfTuples() == refined.GetNumberOfCoarsePoints()
+    ? array
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -62,7 +71,7 @@ vtkDataArray* Find(vtkPointData* input, const char* name, int components)
 void SetCurvatureArrays(
   vtkPointData* input, const npr::RefinedSurface& refined, vtkPolyData* surface)
 {
-  vtkDataArray* const array = Find(input, npr::names::CurvatureTensor, 6);
+  vtkDataArray* const array = Find(input, refined, npr::names::CurvatureTensor, 6);
   if (!array || refined.Parents.empty())
   {
     return;
@@ -80,10 +89,10 @@ void SetCurvatureArrays(
   wanted.Curvedness = input->HasArray(npr::names::Curvedness);
   npr::AddCurvatureArrays(surface, estimate.Tensors, estimate.Normals, wanted);
 
-  if (vtkDataArray* derivatives = Find(input, npr::names::CurvatureDerivatives, 4))
+  if (vtkDataArray* derivatives = Find(input, refined, npr::names::CurvatureDerivatives, 4))
   {
     // A direction may point either way, and the derivatives say nothing without knowing which.
-    vtkDataArray* const given = Find(input, npr::names::PrincipalDirection1, 3);
+    vtkDataArray* const given = Find(input, refined, npr::names::PrincipalDirection1, 3);
     const npr::Tuples<3> e1 = given
       ? npr::ReadTuples<3>(given)
       : npr::ComputePrincipalFrames(
@@ -92,6 +101,27 @@ void SetCurvatureArrays(
     estimate.Derivatives = npr::ExtendDerivatives(npr::ReadTuples<4>(derivatives), e1, refined);
     surface->GetPointData()->AddArray(
       npr::MakeArray<4>(npr::names::CurvatureDerivatives, npr::ToPrincipalFrames(estimate)));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A midpoint belongs to the piece that one of its ends belongs to: to that of the end that comes
+/// first in space, which all pieces agree about.
+void SetPointGhosts(const npr::RefinedSurface& refined, vtkPolyData* surface)
+{
+  vtkUnsignedCharArray* ghosts = surface->GetPointGhostArray();
+  if (!ghosts)
+  {
+    return;
+  }
+  vtkIdType point = surface->GetNumberOfPoints() - static_cast<vtkIdType>(refined.Parents.size());
+  for (const std::array<Index, 2>& ends : refined.Parents)
+  {
+    std::array<double, 3> a;
+    std::array<double, 3> b;
+    surface->GetPoint(ends[0], a.data());
+    surface->GetPoint(ends[1], b.data());
+    ghosts->SetValue(point++, ghosts->GetValue(a < b ? ends[0] : ends[1]));
   }
 }
 
@@ -110,6 +140,7 @@ void SetPointArrays(vtkPointData* input, const npr::RefinedSurface& refined, vtk
   }
   output->SetNormals(npr::MakeArray<3>(npr::names::Normals, refined.Normals));
   SetCurvatureArrays(input, refined, surface);
+  SetPointGhosts(refined, surface);
   if (vtkDataArray* border = output->GetArray(npr::names::BorderPoints))
   {
     for (std::size_t i = 0; i < refined.BorderPoints.size(); ++i)
@@ -132,31 +163,60 @@ vtkNPRSurfaceRefinement::vtkNPRSurfaceRefinement() = default;
 vtkNPRSurfaceRefinement::~vtkNPRSurfaceRefinement() = default;
 
 //------------------------------------------------------------------------------
+int vtkNPRSurfaceRefinement::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  npr::RequestGhostLevels(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0),
+    npr::RefinementReach + npr::NormalsReach);
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 int vtkNPRSurfaceRefinement::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  npr::TriangleMesh mesh(input);
-  if (mesh.GetNumberOfTriangles() == 0)
+  vtkInformation* outputInformation = outputs->GetInformationObject(0);
+  if (!this->Compute(input, output, npr::IsPiece(outputInformation)))
   {
     output->ShallowCopy(input);
-    return 1;
+  }
+  npr::DropExtraGhostLevels(output, outputInformation);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRSurfaceRefinement::Compute(vtkPolyData* input, vtkPolyData* output, bool isPiece)
+{
+  const npr::Progress progress = npr::ReportTo(this);
+  npr::TriangleMesh mesh(input);
+  if (mesh.GetNumberOfTriangles() == 0 || !progress(0.1))
+  {
+    return false;
   }
   mesh.BuildIncidence();
   npr::SurfaceRefinementOptions options;
   options.NumberOfLevels = this->NumberOfLevels;
-  const double lengthScale = npr::GetLengthScale(input);
+  const double lengthScale = npr::GetLengthScale(input, mesh);
   options.MaximumEdgeLength = this->MaximumEdgeLength * lengthScale;
   options.MaximumTurn = this->MaximumTurn;
   options.MaximumNumberOfTriangles = this->MaximumNumberOfTriangles;
-  const npr::RefinedSurface refined = npr::RefineSurface(mesh,
-    npr::GetUnitNormals(mesh, npr::FindNormals(input)), npr::ReadWeldedPointIds(input), options);
-  this->UpdateProgress(0.6);
+  const npr::RefinedSurface refined =
+    npr::RefineSurface(mesh, npr::GetUnitNormals(mesh, npr::FindNormals(input)),
+      npr::GetWeldedPoints(input), options, npr::PartOf(progress, 0.1, 0.6));
+  if (!progress(0.6))
+  {
+    return false;
+  }
 
   SetPoints(input, mesh, refined, output);
   npr::SetTriangles(output, refined.Triangles);
   SetPointArrays(input->GetPointData(), refined, output);
+  if (!progress(0.95))
+  {
+    return false;
+  }
   std::vector<vtkIdType> cells(refined.SourceTriangles.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
@@ -164,8 +224,11 @@ int vtkNPRSurfaceRefinement::RequestData(
   }
   npr::SelectTuples(input->GetCellData(), cells, output->GetCellData());
   output->GetFieldData()->PassData(input->GetFieldData());
-  npr::SetLengthScale(output, lengthScale);
-  return 1;
+  if (!isPiece) // whose own is not the whole's
+  {
+    npr::SetLengthScale(output, lengthScale);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

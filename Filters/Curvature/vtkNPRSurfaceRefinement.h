@@ -16,6 +16,10 @@
  * the curvature tensor and its derivatives are turned into the tangent planes of the new points,
  * and what follows from the tensor computed anew. Cell arrays pass to all parts of a cell.
  *
+ * Pieces of a surface are refined alike where they meet: the filter asks for the ghost levels that
+ * it needs, and drops them. But MaximumNumberOfTriangles holds for each piece, and the input should
+ * have the field data LengthScale of the whole. If the filter is aborted the output is the input.
+ *
  * @sa vtkNPRSurfacePreparation vtkNPRSurfaceNormals vtkNPRCurvatureTensor
  */
 #ifndef vtkNPRSurfaceRefinement_h
@@ -65,11 +69,15 @@ protected:
   vtkNPRSurfaceRefinement();
   ~vtkNPRSurfaceRefinement() override;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkNPRSurfaceRefinement(const vtkNPRSurfaceRefinement&) = delete;
   void operator=(const vtkNPRSurfaceRefinement&) = delete;
+
+  /// False if there is nothing to refine or it was aborted: then the output is as it was.
+  bool Compute(vtkPolyData* input, vtkPolyData* output, bool isPiece);
 
   double MaximumEdgeLength = 0.02;
   double MaximumTurn = 0.0;

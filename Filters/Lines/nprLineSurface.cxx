@@ -4,6 +4,7 @@
 
 #include "nprArrayNames.h"
 #include "nprLengthScale.h"
+#include "nprWeldedPoints.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
@@ -21,17 +22,9 @@ LineSurface::LineSurface(vtkPolyData* surface, double lengthScale) : Mesh(surfac
   this->LengthScale = lengthScale > 0.0 ? lengthScale : npr::GetLengthScale(surface, this->Mesh);
   const Index numberOfPoints = this->Mesh.GetNumberOfPoints();
 
-  vtkDataArray* welded = surface->GetPointData()->GetArray(names::WeldedPointIds);
-  if (welded && welded->GetNumberOfComponents() == 1 &&
-    welded->GetNumberOfTuples() == numberOfPoints)
+  if (surface->GetPointData()->HasArray(names::WeldedPointIds))
   {
-    this->WeldedIds.resize(numberOfPoints);
-    for (Index i = 0; i < numberOfPoints; ++i)
-    {
-      // An id that is no point can not be joined with anything.
-      const double id = welded->GetComponent(i, 0);
-      this->WeldedIds[i] = id >= 0.0 && id < numberOfPoints ? static_cast<Index>(id) : i;
-    }
+    this->WeldedIds = GetWeldedPoints(surface);
   }
 
   for (int axis = 0; axis < 3; ++axis)

@@ -20,20 +20,6 @@ namespace npr
 using Index = TriangleMesh::Index;
 
 //------------------------------------------------------------------------------
-std::vector<Index> ReadWeldedPointIds(vtkPolyData* surface)
-{
-  const vtkIdType size = surface->GetNumberOfPoints();
-  vtkDataArray* array = surface->GetPointData()->GetArray(names::WeldedPointIds);
-  std::vector<Index> ids(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const vtkIdType id = array ? static_cast<vtkIdType>(array->GetComponent(i, 0)) : i;
-    ids[i] = static_cast<Index>(id >= 0 && id < size ? id : i);
-  }
-  return ids;
-}
-
-//------------------------------------------------------------------------------
 void ReplaceWeldedPointIds(vtkPolyData* surface, const std::vector<Index>& ids)
 {
   if (!surface->GetPointData()->HasArray(names::WeldedPointIds))

@@ -19,11 +19,6 @@ VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
-/// For each point the first of its copies, as the preparation has written it (WeldedPointIds); else
-/// each point itself.
-VTKNPRFILTERSSURFACES_EXPORT std::vector<TriangleMesh::Index> ReadWeldedPointIds(
-  vtkPolyData* surface);
-
 /// Replaces the array WeldedPointIds where the surface has one.
 VTKNPRFILTERSSURFACES_EXPORT void ReplaceWeldedPointIds(
   vtkPolyData* surface, const std::vector<TriangleMesh::Index>& ids);

@@ -8,6 +8,7 @@
 #include "nprRemeshedArrays.h"
 #include "nprSurfaceArrays.h"
 #include "nprSurfaceDecimation.h"
+#include "nprWeldedPoints.h"
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -103,7 +104,7 @@ int vtkNPRSurfaceDecimation::RequestData(
   mesh.request_vertex_status();
   mesh.request_edge_status();
   mesh.request_face_status();
-  LockCopies(npr::ReadWeldedPointIds(input), mesh);
+  LockCopies(npr::GetWeldedPoints(input), mesh);
 
   npr::SurfaceDecimationOptions options;
   options.NumberOfTriangles = static_cast<std::size_t>(this->TargetNumberOfTriangles >= 0

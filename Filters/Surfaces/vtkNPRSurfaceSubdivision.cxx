@@ -8,6 +8,7 @@
 #include "nprRemeshedArrays.h"
 #include "nprSurfaceArrays.h"
 #include "nprSurfaceSubdivision.h"
+#include "nprWeldedPoints.h"
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -104,8 +105,7 @@ int vtkNPRSurfaceSubdivision::RequestData(
       vtkErrorMacro("OpenMesh refuses a triangle. Run vtkNPRSurfacePreparation first.");
       return 0;
     }
-    npr::SubdivisionStep step =
-      npr::SubdivideSurface(mesh, npr::ReadWeldedPointIds(surface), scheme);
+    npr::SubdivisionStep step = npr::SubdivideSurface(mesh, npr::GetWeldedPoints(surface), scheme);
     auto next = vtkSmartPointer<vtkPolyData>::New();
     next->SetPoints(MakePoints(surface->GetPoints(), step));
     npr::ApplyStencils(surface->GetPointData(), step.Stencils, next->GetPointData());
