@@ -23,6 +23,11 @@
  * goes to vtkLogger at verbosity 1. It travels with the surface, too, as the field data array
  * PreparationCounts: one tuple whose components have the counts' names, so that readers of files
  * and ParaView's spreadsheet see it.
+ *
+ * Of a surface in pieces the filter sees one at a time, and asks for no ghost levels: points of two
+ * pieces are not welded, closed components not known as such, and the LengthScale is the piece's.
+ * So prepare the whole before it is parted. What ghost cells there are stay ghost cells (the array
+ * vtkGhostType passes like all others).
  * @sa vtkNPRSurfaceNormals vtkNPRSurfaceRefinement
  */
 #ifndef vtkNPRSurfacePreparation_h

@@ -332,6 +332,31 @@ void TestWeldedPoints(Checks& check)
   }
 }
 
+/// The preparation keeps ghost cells what they are.
+void TestPreparation(vtkPolyData* surface, Checks& check)
+{
+  const Source source(surface);
+  vtkNew<vtkNPRSurfacePreparation> preparation;
+  preparation->SetInputConnection(source.Pieces->GetOutputPort());
+  const vtkSmartPointer<vtkPolyData> output = GetPiece(preparation, 1, 3, 2);
+  vtkPolyData* input = source.Pieces->GetOutput();
+  std::map<vtkIdType, int> flags;
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    flags[GetNumber(input->GetCellData(), CellNumbers, i)] =
+      input->GetCellGhostArray()->GetValue(i);
+  }
+  int ghosts = 0;
+  int wrong = 0;
+  for (vtkIdType i = 0; output->GetCellGhostArray() && i < output->GetNumberOfCells(); ++i)
+  {
+    const int flag = output->GetCellGhostArray()->GetValue(i);
+    ghosts += flag;
+    wrong += flag != flags[GetNumber(output->GetCellData(), CellNumbers, i)];
+  }
+  check(ghosts > 0 && wrong == 0, "prepared ghost cells are ghost cells", ghosts);
+}
+
 /// Smoothing reaches far, and its steps follow the piece's own mean triangle: nearly as in the
 /// whole.
 void TestSmoothing(Checks& check)
@@ -388,5 +413,6 @@ int TestCurvaturePieces(int, char*[])
   npr::SetLengthScale(waves, 1.0);
   TestRefinement(waves, check);
   TestWeldedPoints(check);
+  TestPreparation(waves, check);
   return check.GetResult();
 }
