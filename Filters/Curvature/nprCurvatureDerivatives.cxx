@@ -53,7 +53,7 @@ Tuples<4> ComputeCurvatureDerivatives(
       for (vtkIdType i = begin; i < end; ++i)
       {
         const Eigen::Vector3f u = MakeTangent<float>(normals[i]);
-        const Complex axis = { e1[i].dot(u), e1[i].dot(normals[i].cross(u)) };
+        const Complex<float> axis = { e1[i].dot(u), e1[i].dot(normals[i].cross(u)) };
         derivatives[i] = GetComponents(ReadCubic(derivatives[i]), axis) / (unit * unit);
       }
     });

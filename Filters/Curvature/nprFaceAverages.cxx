@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprFaceAverages.h"
 
+#include "nprFaceBatch.h"
 #include "nprFaceFits.h"
 #include "nprSurfaceNormals.h"
+#include "nprTangentFrame.h"
 
 #include <vtkSMPTools.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -22,6 +25,22 @@ using Eigen::Vector4f;
 int FindCorner(const TriangleMesh::Triangle& corners, Index point)
 {
   return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
+}
+
+/// Calls `work(batch, begin, end)` for all triangles.
+template<typename Work>
+void ForBatches(const TriangleMesh& mesh, const Work& work)
+{
+  vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      FaceBatch batch(mesh);
+      for (vtkIdType t = begin; t < end; t += FaceBatch::Capacity)
+      {
+        work(batch, static_cast<Index>(t),
+          static_cast<Index>(std::min<vtkIdType>(end, t + FaceBatch::Capacity)));
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -48,26 +67,36 @@ FaceAverages::FaceAverages(const TriangleMesh& mesh, const Tuples<3>& normals)
 //------------------------------------------------------------------------------
 void FaceAverages::FitForms()
 {
-  ForAll(this->Mesh.GetTriangles().size(),
-    [this](Index t)
+  const auto read = [this](Index point, FaceBatch::Row* values, int i)
+  {
+    const Eigen::Vector3f& normal = this->Normals[point];
+    values[0][i] = normal.x();
+    values[1][i] = normal.y();
+    values[2][i] = normal.z();
+  };
+  ForBatches(this->Mesh,
+    [&](FaceBatch& batch, Index begin, Index end)
     {
-      const FaceShape face(this->Mesh, this->Mesh.GetTriangle(t));
-      Vector4f* const parts = &this->Parts[3 * static_cast<std::size_t>(t)];
-      if (!face.IsUsable)
-      {
-        std::fill_n(parts, 3, Vector4f::Zero());
-        return;
-      }
-      const std::array<Eigen::Vector3f, 3> normals = { this->Normals[face.Points[0]],
-        this->Normals[face.Points[1]], this->Normals[face.Points[2]] };
-      const QuadraticForm form = face.FitQuadratic(normals[0], normals[1], normals[2]);
-      const std::array<float, 3> areas = face.GetCornerAreas();
-      for (int i = 0; i < 3; ++i)
-      {
-        const QuadraticForm turned = CornerTurning(face, normals[i]).ToPoint(form);
-        parts[face.Slots[i]] =
-          areas[i] * Vector4f(1.0f, turned.Mean, turned.Rest.Re, turned.Rest.Im);
-      }
+      batch.Fill(begin, end, read);
+      batch.ForLanes(
+        [&](const std::array<Vector3<Lanes>, 3>& points, int i)
+        {
+          const FaceShape<Lanes> face(points);
+          const std::array<Vector3<Lanes>, 3> normals = { FaceBatch::LoadVector(
+                                                            batch.GetValues(0), i),
+            FaceBatch::LoadVector(batch.GetValues(1), i),
+            FaceBatch::LoadVector(batch.GetValues(2), i) };
+          const QuadraticForm<Lanes> form = face.FitQuadratic(normals);
+          const std::array<Lanes, 3> areas = face.GetCornerAreas();
+          for (int c = 0; c < 3; ++c)
+          {
+            const QuadraticForm<Lanes> own = CornerTurning<Lanes>(face, normals[c]).ToPoint(form);
+            batch.SetPart(c, i,
+              { areas[c], face.IfUsable(areas[c] * own.Mean), face.IfUsable(areas[c] * own.Rest.Re),
+                face.IfUsable(areas[c] * own.Rest.Im) });
+          }
+        });
+      batch.Write(this->Parts);
     });
 }
 
@@ -75,33 +104,51 @@ void FaceAverages::FitForms()
 void FaceAverages::FitDerivatives(const Tuples<4>& forms, const std::vector<unsigned char>& border)
 {
   this->TouchesBorder.resize(this->Mesh.GetTriangles().size());
-  ForAll(this->Mesh.GetTriangles().size(),
-    [&](Index t)
+  const auto read = [&](Index point, FaceBatch::Row* values, int i)
+  {
+    const Eigen::Vector3f& normal = this->Normals[point];
+    const Vector4f& form = forms[point];
+    values[0][i] = normal.x();
+    values[1][i] = normal.y();
+    values[2][i] = normal.z();
+    values[3][i] = form[1];
+    values[4][i] = form[2];
+    values[5][i] = form[3];
+  };
+  ForBatches(this->Mesh,
+    [&](FaceBatch& batch, Index begin, Index end)
     {
-      const TriangleMesh::Triangle& corners = this->Mesh.GetTriangle(t);
-      this->TouchesBorder[t] = border[corners[0]] || border[corners[1]] || border[corners[2]];
-      const FaceShape face(this->Mesh, corners);
-      Vector4f* const parts = &this->Parts[3 * static_cast<std::size_t>(t)];
-      if (!face.IsUsable)
+      for (Index t = begin; t < end; ++t)
       {
-        std::fill_n(parts, 3, Vector4f::Zero());
-        return;
+        const TriangleMesh::Triangle& corners = this->Mesh.GetTriangle(t);
+        this->TouchesBorder[t] = border[corners[0]] || border[corners[1]] || border[corners[2]];
       }
-      const std::array<CornerTurning, 3> turnings = { CornerTurning(
-                                                        face, this->Normals[face.Points[0]]),
-        CornerTurning(face, this->Normals[face.Points[1]]),
-        CornerTurning(face, this->Normals[face.Points[2]]) };
-      const CubicForm cubic =
-        face.FitCubic({ turnings[0].ToFace(ReadQuadratic(forms[face.Points[0]])),
-          turnings[1].ToFace(ReadQuadratic(forms[face.Points[1]])),
-          turnings[2].ToFace(ReadQuadratic(forms[face.Points[2]])) });
-      const std::array<float, 3> areas = face.GetCornerAreas();
-      for (int i = 0; i < 3; ++i)
-      {
-        const CubicForm turned = turnings[i].ToPoint(cubic);
-        parts[face.Slots[i]] = areas[i] *
-          Vector4f(turned.Gradient.Re, turned.Gradient.Im, turned.Rest.Re, turned.Rest.Im);
-      }
+      batch.Fill(begin, end, read);
+      batch.ForLanes(
+        [&](const std::array<Vector3<Lanes>, 3>& points, int i)
+        {
+          const FaceShape<Lanes> face(points);
+          const auto turning = [&](int c)
+          { return CornerTurning<Lanes>(face, FaceBatch::LoadVector(batch.GetValues(c), i)); };
+          const std::array<CornerTurning<Lanes>, 3> turnings = { turning(0), turning(1),
+            turning(2) };
+          const auto form = [&](int c)
+          {
+            const Vector3<Lanes> own = FaceBatch::LoadVector(batch.GetValues(c) + 3, i);
+            return turnings[c].ToFace(QuadraticForm<Lanes>{ own.X, { own.Y, own.Z } });
+          };
+          const CubicForm<Lanes> cubic = face.FitCubic({ form(0), form(1), form(2) });
+          const std::array<Lanes, 3> areas = face.GetCornerAreas();
+          for (int c = 0; c < 3; ++c)
+          {
+            const CubicForm<Lanes> own = turnings[c].ToPoint(cubic);
+            batch.SetPart(c, i,
+              { face.IfUsable(areas[c] * own.Gradient.Re),
+                face.IfUsable(areas[c] * own.Gradient.Im), face.IfUsable(areas[c] * own.Rest.Re),
+                face.IfUsable(areas[c] * own.Rest.Im) });
+          }
+        });
+      batch.Write(this->Parts);
     });
 }
 
@@ -211,12 +258,22 @@ bool FaceAverages::Average(Index point, bool touchingBorder, Vector4f& mean) con
   for (const Index* t = this->Mesh.IncidentBegin(point); t != this->Mesh.IncidentEnd(point); ++t)
   {
     const TriangleMesh::Triangle& corners = this->Mesh.GetTriangle(*t);
-    const FaceShape face(this->Mesh, corners);
-    if (face.IsUsable && (touchingBorder || !this->TouchesBorder[*t]))
+    if (!touchingBorder && this->TouchesBorder[*t])
     {
-      sum += this->Parts[3 * static_cast<std::size_t>(*t) + FindCorner(corners, point)];
-      area += face.GetCornerAreas()[FindCorner(face.Points, point)];
+      continue;
     }
+    const int here = FindCorner(corners, point);
+    const std::array<TriangleMesh::Vector, 3> positions = GetPositions(this->Mesh, corners);
+    const std::array<int, 3> order = FindOrder(positions);
+    std::array<Vector3<float>, 3> points;
+    for (int c = 0; c < 3; ++c)
+    {
+      const TriangleMesh::Vector& position = positions[order[c]];
+      points[c] = { position.x(), position.y(), position.z() };
+    }
+    const std::array<float, 3> areas = FaceShape<float>(points).GetCornerAreas();
+    sum += this->Parts[3 * static_cast<std::size_t>(*t) + here];
+    area += areas[std::find(order.begin(), order.end(), here) - order.begin()];
   }
   mean = sum / area;
   return area > 0.0f && mean.allFinite();
@@ -240,9 +297,12 @@ bool FaceAverages::Extend(Index point, const Tuples<4>& values,
       if (corner != point && known[corner] && rotation.IsValid())
       {
         const Eigen::Vector3d u = rotation(MakeTangent(other));
-        const Complex once = { static_cast<float>(u.dot(own.U)), static_cast<float>(u.dot(own.V)) };
-        const Complex gradient = once * Complex{ values[corner][0], values[corner][1] };
-        const Complex rest = once * once * once * Complex{ values[corner][2], values[corner][3] };
+        const Complex<float> once = { static_cast<float>(u.dot(own.U)),
+          static_cast<float>(u.dot(own.V)) };
+        const Complex<float> gradient =
+          once * Complex<float>{ values[corner][0], values[corner][1] };
+        const Complex<float> rest =
+          once * once * once * Complex<float>{ values[corner][2], values[corner][3] };
         sum += Vector4f(gradient.Re, gradient.Im, rest.Re, rest.Im);
         ++count;
       }

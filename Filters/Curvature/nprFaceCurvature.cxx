@@ -4,6 +4,7 @@
 
 #include "nprFaceAverages.h"
 #include "nprFaceFits.h"
+#include "nprTangentFrame.h"
 
 #include <vtkSMPTools.h>
 
@@ -12,7 +13,8 @@ namespace npr
 namespace
 {
 /// A form over MakeTangent(normal) as a tensor in space.
-Eigen::Matrix<float, 6, 1> MakeTensor(const QuadraticForm& form, const Eigen::Vector3f& normal)
+Eigen::Matrix<float, 6, 1> MakeTensor(
+  const QuadraticForm<float>& form, const Eigen::Vector3f& normal)
 {
   const Eigen::Vector3f u = MakeTangent(normal);
   const Eigen::Vector3f v = normal.cross(u);

@@ -19,207 +19,186 @@
 #ifndef nprFaceFits_h
 #define nprFaceFits_h
 
-#include "nprCornerAreas.h"
-#include "nprTangentFrame.h"
-#include "nprTriangleMesh.h"
+#include "nprLanes.h"
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <array>
-#include <cmath>
 
 namespace npr
 {
 /// What the operators of std::complex do, without their care for infinities, which costs a call.
+template<typename Real>
 struct Complex
 {
-  float Re;
-  float Im;
+  Real Re;
+  Real Im;
 };
 
-inline Complex operator*(const Complex& a, const Complex& b)
+template<typename Real>
+Complex<Real> operator*(const Complex<Real>& a, const Complex<Real>& b)
 {
   return { a.Re * b.Re - a.Im * b.Im, a.Re * b.Im + a.Im * b.Re };
 }
 
-inline Complex Conjugate(const Complex& a)
+template<typename Real>
+Complex<Real> Conjugate(const Complex<Real>& a)
 {
   return { a.Re, -a.Im };
 }
 
+template<typename Real>
 struct QuadraticForm
 {
-  float Mean;
-  Complex Rest;
+  Real Mean;
+  Complex<Real> Rest;
 };
 
+template<typename Real>
 struct CubicForm
 {
-  Complex Gradient;
-  Complex Rest;
+  Complex<Real> Gradient;
+  Complex<Real> Rest;
 };
 
 /// A form among the four numbers that FaceAverages has for a point.
-inline QuadraticForm ReadQuadratic(const Eigen::Vector4f& numbers)
+inline QuadraticForm<float> ReadQuadratic(const Eigen::Vector4f& numbers)
 {
   return { numbers[1], { numbers[2], numbers[3] } };
 }
-inline CubicForm ReadCubic(const Eigen::Vector4f& numbers)
+inline CubicForm<float> ReadCubic(const Eigen::Vector4f& numbers)
 {
   return { { numbers[0], numbers[1] }, { numbers[2], numbers[3] } };
 }
 
 /// uuu, uuv, uvv, vvv.
-inline Eigen::Vector4f GetComponents(const CubicForm& form)
+inline Eigen::Vector4f GetComponents(const CubicForm<float>& form)
 {
-  const Complex& g = form.Gradient;
-  const Complex& r = form.Rest;
+  const Complex<float>& g = form.Gradient;
+  const Complex<float>& r = form.Rest;
   return { 1.5f * g.Re + r.Re, 0.5f * g.Im + r.Im, 0.5f * g.Re - r.Re, 1.5f * g.Im - r.Im };
 }
 
 /// The components over a frame whose first axis lies at this angle in the old one.
-inline Eigen::Vector4f GetComponents(const CubicForm& form, const Complex& axis)
+inline Eigen::Vector4f GetComponents(const CubicForm<float>& form, const Complex<float>& axis)
 {
-  const Complex back = Conjugate(axis);
-  return GetComponents(CubicForm{ form.Gradient * back, form.Rest * (back * back * back) });
+  const Complex<float> back = Conjugate(axis);
+  return GetComponents(CubicForm<float>{ form.Gradient * back, form.Rest * (back * back * back) });
 }
 
 /// A triangle in its plane. Its corners are numbered so that corner 0 lies opposite the longest
 /// edge.
+template<typename Real>
 struct FaceShape
 {
-  using Vector = TriangleMesh::Vector;
+  using Vector = Vector3<Real>;
 
-  /// Lengths are in units of the mesh, TriangleMesh::GetUnit().
-  FaceShape(const TriangleMesh& mesh, const TriangleMesh::Triangle& corners)
+  explicit FaceShape(const std::array<Vector, 3>& points)
   {
-    const float perUnit = 1.0f / mesh.GetUnit();
-    const std::array<Vector, 3> points = { mesh.GetPoint(corners[0]), mesh.GetPoint(corners[1]),
-      mesh.GetPoint(corners[2]) };
-    const std::array<Vector, 3> edges = { (points[2] - points[1]) * perUnit,
-      (points[0] - points[2]) * perUnit, (points[1] - points[0]) * perUnit };
-    const float squares[3] = { edges[0].squaredNorm(), edges[1].squaredNorm(),
-      edges[2].squaredNorm() };
-    int first = squares[1] > squares[0] ? 1 : 0;
-    first = squares[2] > squares[first] ? 2 : first;
-    this->Slots = { first, Next[first], Next[first + 1] };
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Points[i] = corners[this->Slots[i]];
-    }
-    const float square = squares[first];
-    const Vector& longest = edges[first];
-    const Vector& next = edges[this->Slots[1]];
-    const Vector cross = longest.cross(next);
-    const float area = cross.norm();
-    // A height below 1e-6 of the longest edge is within the rounding of single precision points.
-    this->IsUsable = area > 1e-6f * square;
-    if (this->IsUsable)
-    {
-      const float perSquare = 1.0f / square;
-      this->PerLength = std::sqrt(perSquare);
-      this->Square = square;
-      this->X = longest.dot(next) * perSquare;
-      this->Y = area * perSquare;
-      this->U = longest * this->PerLength;
-      this->Normal = cross / area;
-      this->V = this->Normal.cross(this->U);
-    }
+    const Vector longest = points[2] - points[1];
+    const Vector next = points[0] - points[2];
+    const Vector cross = Cross(longest, next);
+    const Real area = SquareRoot(Dot(cross, cross));
+    this->Square = Dot(longest, longest);
+    const Real perSquare = 1.0f / this->Square;
+    this->PerLength = SquareRoot(perSquare);
+    this->X = Dot(longest, next) * perSquare;
+    this->Y = area * perSquare;
+    this->U = longest * this->PerLength;
+    this->Normal = cross * (1.0f / area);
+    this->V = Cross(this->Normal, this->U);
   }
 
-  /// Mixed Voronoi areas, in square units of the mesh.
-  std::array<float, 3> GetCornerAreas() const
+  /// The value, or zero for triangles without area, or too thin to say anything about the surface:
+  /// a height below 1e-6 of the longest edge is within the rounding of single precision points.
+  Real IfUsable(const Real& value) const { return this->Y > 1e-6f ? value : Real{}; }
+
+  /// Mixed Voronoi areas (see nprCornerAreas.h; only corner 0 can be obtuse), zero if not usable.
+  std::array<Real, 3> GetCornerAreas() const
   {
-    const float x = this->X;
-    const float rest = 1.0f + x;
-    const float yy = this->Y * this->Y;
-    std::array<float, 3> areas = ComputeCornerAreas<float>(
-      { x * rest + yy, rest, -x }, { 1.0f, x * x + yy, rest * rest + yy }, this->Y);
-    for (float& area : areas)
-    {
-      area *= this->Square;
-    }
-    return areas;
+    const Real rest = 1.0f + this->X;
+    const Real yy = this->Y * this->Y;
+    const Real cosine = this->X * rest + yy; // at corner 0, times positive lengths
+    const Real scale = 0.125f * this->Square / this->Y;
+    const Real share0 = scale * cosine;
+    const Real share1 = scale * rest * (this->X * this->X + yy);
+    const Real share2 = -scale * this->X * (rest * rest + yy);
+    const Real eighth = 0.125f * this->Square * this->Y;
+    return { this->IfUsable(cosine < 0.0f ? 2.0f * eighth : share1 + share2),
+      this->IfUsable(cosine < 0.0f ? eighth : share2 + share0),
+      this->IfUsable(cosine < 0.0f ? eighth : share0 + share1) };
   }
 
-  /// Least squares of II (edge) = change of the normal, over the three edges; 1 / units.
-  QuadraticForm FitQuadratic(
-    const Vector& normal0, const Vector& normal1, const Vector& normal2) const
+  /// Least squares of II (edge) = change of the normal, over the three edges; 1 / length.
+  QuadraticForm<Real> FitQuadratic(const std::array<Vector, 3>& normals) const
   {
-    const Vector change0 = normal2 - normal1;
-    const Vector change1 = normal0 - normal2;
-    const float u0 = change0.dot(this->U);
-    const float u1 = change1.dot(this->U);
-    const float v0 = change0.dot(this->V);
-    const float v1 = change1.dot(this->V);
+    const Vector change0 = normals[2] - normals[1];
+    const Vector change1 = normals[0] - normals[2];
+    const Real u0 = Dot(change0, this->U);
+    const Real u1 = Dot(change1, this->U);
+    const Real v0 = Dot(change0, this->V);
+    const Real v1 = Dot(change1, this->V);
     // The normal equations, solved by their adjugate; what all of it has of Y is cancelled out.
-    const float x = this->X;
-    const float y = this->Y;
-    const float q = 1.0f + 2.0f * x;
-    const float uu = 2.0f * (1.0f + x + x * x);
-    const float right0 = this->SumAlong(u0, u1);
-    const float right1 = y * (u0 + 2.0f * u1) + this->SumAlong(v0, v1);
-    const float right2 = v0 + 2.0f * v1; // over Y
-    const float scale = this->PerLength / (3.0f * (uu + 2.0f * y * y));
-    const float a = (3.0f + 4.0f * y * y) * right0 - 2.0f * y * q * right1 + q * q * y * right2;
-    const float b = 2.0f * (uu * right1 - y * q * right0) - uu * q * right2;
-    const float c = q * q * right0 + ((3.0f * y * y + uu * uu) * right2 - uu * q * right1) / y;
+    const Real x = this->X;
+    const Real y = this->Y;
+    const Real q = 1.0f + 2.0f * x;
+    const Real uu = 2.0f * (1.0f + x + x * x);
+    const Real right0 = this->SumAlong(u0, u1);
+    const Real right1 = y * (u0 + 2.0f * u1) + this->SumAlong(v0, v1);
+    const Real right2 = v0 + 2.0f * v1; // over Y
+    const Real scale = this->PerLength / (3.0f * (uu + 2.0f * y * y));
+    const Real a = (3.0f + 4.0f * y * y) * right0 - 2.0f * y * q * right1 + q * q * y * right2;
+    const Real b = 2.0f * (uu * right1 - y * q * right0) - uu * q * right2;
+    const Real c = q * q * right0 + ((3.0f * y * y + uu * uu) * right2 - uu * q * right1) / y;
     return { 0.5f * scale * (a + c), { 0.5f * scale * (a - c), scale * b } };
   }
 
-  /// Least squares of C (edge) = change of the form, over the three edges; 1 / square units.
-  CubicForm FitCubic(const std::array<QuadraticForm, 3>& forms) const
+  /// Least squares of C (edge) = change of the form, over the three edges; 1 / length^2.
+  CubicForm<Real> FitCubic(const std::array<QuadraticForm<Real>, 3>& forms) const
   {
     const auto changes = [&](const auto& component)
     {
-      const float last = component(forms[2]);
-      return std::array<float, 2>{ last - component(forms[1]), component(forms[0]) - last };
+      const Real last = component(forms[2]);
+      return std::array<Real, 2>{ last - component(forms[1]), component(forms[0]) - last };
     };
-    const auto uu = changes([](const QuadraticForm& f) { return f.Mean + f.Rest.Re; });
-    const auto uv = changes([](const QuadraticForm& f) { return f.Rest.Im; });
-    const auto vv = changes([](const QuadraticForm& f) { return f.Mean - f.Rest.Re; });
-    const auto along = [&](const auto& c) { return this->SumAlong(c[0], c[1]); };
-    const auto across = [&](const auto& c) { return this->Y * (c[0] + 2.0f * c[1]); };
+    using Form = QuadraticForm<Real>;
+    const auto uu = changes([](const Form& f) -> Real { return f.Mean + f.Rest.Re; });
+    const auto uv = changes([](const Form& f) -> Real { return f.Rest.Im; });
+    const auto vv = changes([](const Form& f) -> Real { return f.Mean - f.Rest.Re; });
+    const auto along = [&](const auto& c) -> Real { return this->SumAlong(c[0], c[1]); };
+    const auto across = [&](const auto& c) -> Real { return this->Y * (c[0] + 2.0f * c[1]); };
     // The normal equations are tridiagonal, with these sums of squares of u, of u v and of v.
-    const float s = 2.0f * (1.0f + this->X + this->X * this->X);
-    const float m = this->Y * (1.0f + 2.0f * this->X);
-    const float t = 2.0f * this->Y * this->Y;
-    const float per0 = 1.0f / s;
-    const float right0 = along(uu);
-    const float right1 = across(uu) + 2.0f * along(uv) - m * per0 * right0;
-    const float per1 = 1.0f / (2.0f * s + t - m * per0 * m);
-    const float right2 = 2.0f * across(uv) + along(vv) - 2.0f * m * per1 * right1;
-    const float per2 = 1.0f / (s + 2.0f * t - 4.0f * m * per1 * m);
-    const float right3 = across(vv) - m * per2 * right2;
-    const float vvv = right3 / (t - m * per2 * m);
-    const float uvv = (right2 - m * vvv) * per2;
-    const float uuv = (right1 - 2.0f * m * uvv) * per1;
-    const float uuu = (right0 - m * uuv) * per0;
-    const float half = 0.5f * this->PerLength;
-    const float quarter = 0.25f * this->PerLength;
+    const Real s = 2.0f * (1.0f + this->X + this->X * this->X);
+    const Real m = this->Y * (1.0f + 2.0f * this->X);
+    const Real t = 2.0f * this->Y * this->Y;
+    const Real per0 = 1.0f / s;
+    const Real right0 = along(uu);
+    const Real right1 = across(uu) + 2.0f * along(uv) - m * per0 * right0;
+    const Real per1 = 1.0f / (2.0f * s + t - m * per0 * m);
+    const Real right2 = 2.0f * across(uv) + along(vv) - 2.0f * m * per1 * right1;
+    const Real per2 = 1.0f / (s + 2.0f * t - 4.0f * m * per1 * m);
+    const Real right3 = across(vv) - m * per2 * right2;
+    const Real vvv = right3 / (t - m * per2 * m);
+    const Real uvv = (right2 - m * vvv) * per2;
+    const Real uuv = (right1 - 2.0f * m * uvv) * per1;
+    const Real uuu = (right0 - m * uuv) * per0;
+    const Real half = 0.5f * this->PerLength;
+    const Real quarter = 0.25f * this->PerLength;
     return { { half * (uuu + uvv), half * (uuv + vvv) },
       { quarter * (uuu - 3.0f * uvv), quarter * (3.0f * uuv - vvv) } };
   }
 
-  static constexpr int Next[4] = { 1, 2, 0, 1 };
-
-  std::array<TriangleMesh::Index, 3> Points;
-  std::array<int, 3> Slots; // the corners' numbers in the mesh
   Vector U;
   Vector V;
   Vector Normal;
-  float X;
-  float Y;
-  float PerLength; // 1 / the longest edge
-  float Square;    // of the longest edge
-  /// False without area, or where the triangle is too thin to say anything about the surface; the
-  /// rest is then not set.
-  bool IsUsable;
+  Real X;
+  Real Y;
+  Real PerLength; // 1 / the longest edge
+  Real Square;    // of the longest edge
 
 private:
   /// The sum over the edges of their first components times changes, which add up to zero.
-  float SumAlong(float change0, float change1) const
+  Real SumAlong(const Real& change0, const Real& change1) const
   {
     return (2.0f + this->X) * change0 + (1.0f + 2.0f * this->X) * change1;
   }
@@ -232,41 +211,46 @@ private:
  * Given normals may disagree with the winding: then the triangle is seen from behind, as in a
  * mirror.
  */
+template<typename Real>
 class CornerTurning
 {
 public:
-  CornerTurning(const FaceShape& face, const Eigen::Vector3f& normal)
+  CornerTurning(const FaceShape<Real>& face, const Vector3<Real>& normal)
   {
-    const Eigen::Vector3f u = MakeTangent(normal);
-    const float cosine = normal.dot(face.Normal);
-    this->Side = std::copysign(1.0f, cosine);
+    // MakeTangent(normal).
+    const Real sign = SignOf(normal.Z);
+    const Real a = -1.0f / (sign + normal.Z);
+    const Vector3<Real> u = { 1.0f + sign * normal.X * normal.X * a, sign * normal.X * normal.Y * a,
+      -sign * normal.X };
+    const Real cosine = Dot(normal, face.Normal);
+    this->Side = SignOf(cosine);
     // The turned u is u - (n + m) (u.m) / (1 + n.m), m the normal of the plane on the side of n.
-    const float part = this->Side * u.dot(face.Normal) / (1.0f + std::abs(cosine));
-    this->Once = { u.dot(face.U) - part * normal.dot(face.U),
-      u.dot(face.V) - part * normal.dot(face.V) };
+    const Real part = this->Side * Dot(u, face.Normal) / (1.0f + this->Side * cosine);
+    this->Once = { Dot(u, face.U) - part * Dot(normal, face.U),
+      Dot(u, face.V) - part * Dot(normal, face.V) };
     this->Twice = this->Once * this->Once;
   }
 
-  QuadraticForm ToFace(const QuadraticForm& form) const
+  QuadraticForm<Real> ToFace(const QuadraticForm<Real>& form) const
   {
-    return { form.Mean, Complex{ form.Rest.Re, this->Side * form.Rest.Im } * this->Twice };
+    return { form.Mean, this->Mirror(form.Rest) * this->Twice };
   }
-  QuadraticForm ToPoint(const QuadraticForm& form) const
+  QuadraticForm<Real> ToPoint(const QuadraticForm<Real>& form) const
   {
     return { form.Mean, this->Mirror(form.Rest * Conjugate(this->Twice)) };
   }
-  CubicForm ToPoint(const CubicForm& form) const
+  CubicForm<Real> ToPoint(const CubicForm<Real>& form) const
   {
     return { this->Mirror(form.Gradient * Conjugate(this->Once)),
       this->Mirror(form.Rest * Conjugate(this->Twice * this->Once)) };
   }
 
 private:
-  Complex Mirror(const Complex& a) const { return { a.Re, this->Side * a.Im }; }
+  Complex<Real> Mirror(const Complex<Real>& a) const { return { a.Re, this->Side * a.Im }; }
 
-  Complex Once; // the turned axis in the plane of the triangle
-  Complex Twice;
-  float Side;
+  Complex<Real> Once; // the turned axis in the plane of the triangle
+  Complex<Real> Twice;
+  Real Side;
 };
 }
 
