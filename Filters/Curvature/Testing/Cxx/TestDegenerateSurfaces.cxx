@@ -104,6 +104,30 @@ void CheckFinite(vtkPolyData* output, const std::string& name, Checks& check)
   check(wrong == 0, name + ": unit normals", wrong);
 }
 
+/// Points that no triangle has can have no curvature.
+void CheckPointsWithoutTriangles(vtkPolyData* output, const std::string& name, Checks& check)
+{
+  std::vector<unsigned char> hasTriangle(output->GetNumberOfPoints(), 0);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < output->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    output->GetPolys()->GetCellAtId(cell, corners);
+    for (vtkIdType i = 0; corners->GetNumberOfIds() == 3 && i < 3; ++i)
+    {
+      const vtkIdType point = corners->GetId(i);
+      if (point >= 0 && point < output->GetNumberOfPoints())
+      {
+        hasTriangle[point] = 1;
+      }
+    }
+  }
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    check(hasTriangle[i] || GetValue(output, npr::names::UnknownCurvature, i) == 1.0,
+      name + ": nothing is known without a triangle", static_cast<double>(i));
+  }
+}
+
 /// Zeros where there is no curvature, and one warning that says how many.
 void CheckUnknown(
   vtkPolyData* output, const Messages& messages, const std::string& name, Checks& check)
@@ -165,6 +189,7 @@ void TestInput(const std::string& input, vtkPolyData* mesh, Checks& check,
         vtkPolyData* output = pipeline.Tensor->GetOutput();
         CheckFinite(output, name, check);
         CheckUnknown(output, messages, name, check);
+        CheckPointsWithoutTriangles(output, name, check);
         // Cells stay as they are: what is no triangle, too.
         check(isPrepared ||
             (output->GetNumberOfCells() == mesh->GetNumberOfCells() &&
