@@ -422,8 +422,8 @@ CurvatureEstimate CorrectedMeasures::Estimate(const TriangleMesh& mesh, const Tu
   double wanted = this->Wanted.Radius;
   if (this->Wanted.Length <= 0.0)
   {
-    wanted = wanted > 0.0 ? std::clamp(wanted, LeastRadius, GreatestRadius)
-                          : ChooseRadius(fitted.Noise, fitted.Bend);
+    wanted =
+      wanted > 0.0 ? Neighbourhood::ClampRadius(wanted) : ChooseRadius(fitted.Noise, fitted.Bend);
     estimate.Radius = wanted;
   }
   const auto getRadius = [&](double edge)

@@ -294,12 +294,13 @@ CurvatureEstimate Jets::Estimate(const TriangleMesh& given, const Tuples<3>& giv
   const Tuples<3>& normals = ordered.Normals;
   const PointGraph graph(mesh);
   const std::vector<float> edges = ComputeMeanEdges(mesh, graph);
-  double edgeRadius = this->Fit.Radius;
-  if (this->Fit.Length <= 0.0 && edgeRadius <= 0.0)
+  double edgeRadius = 0.0;
+  if (this->Fit.Length <= 0.0)
   {
-    edgeRadius = ChooseRadius(mesh, graph, normals, edges);
+    edgeRadius = this->Fit.Radius > 0.0 ? Neighbourhood::ClampRadius(this->Fit.Radius)
+                                        : ChooseRadius(mesh, graph, normals, edges);
   }
-  estimate.Radius = this->Fit.Length > 0.0 ? 0.0 : edgeRadius;
+  estimate.Radius = edgeRadius;
   const Index size = mesh.GetNumberOfPoints();
   estimate.Tensors.assign(size, SymmetricTensor::Zero().cast<float>());
   estimate.Derivatives.assign(derivatives ? size : 0, Eigen::Vector4f::Zero());

@@ -100,7 +100,6 @@ std::uint32_t Neighbourhood::NextStamp()
   if (++this->Stamp == 0)
   {
     std::fill(this->PointStamps.begin(), this->PointStamps.end(), 0);
-    std::fill(this->TriangleStamps.begin(), this->TriangleStamps.end(), 0);
     this->Stamp = 1;
   }
   return this->Stamp;
@@ -154,26 +153,5 @@ void Neighbourhood::Collect(Index centre, double radius, int rings)
     }
     this->Members.resize(member - this->Members.data());
   }
-}
-
-//------------------------------------------------------------------------------
-const std::vector<Neighbourhood::Index>& Neighbourhood::CollectTriangles()
-{
-  const std::uint32_t stamp = this->NextStamp();
-  this->TriangleStamps.resize(this->Mesh->GetNumberOfTriangles(), 0);
-  this->Triangles.clear();
-  for (const Member& member : this->Members)
-  {
-    for (const Index* t = this->Mesh->IncidentBegin(member.Point);
-         t != this->Mesh->IncidentEnd(member.Point); ++t)
-    {
-      if (this->TriangleStamps[*t] != stamp)
-      {
-        this->TriangleStamps[*t] = stamp;
-        this->Triangles.push_back(*t);
-      }
-    }
-  }
-  return this->Triangles;
 }
 }

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -86,15 +87,19 @@ public:
   /// What estimators take, in mean edges.
   static constexpr double LeastRadius = 1.5;
   static constexpr double GreatestRadius = 14.0;
+  static double ClampRadius(double radius)
+  {
+    return std::clamp(radius, LeastRadius, GreatestRadius);
+  }
 
   /// Of how many edges a path to a point within a radius, in mean edges, may consist.
-  static int GetRings(double radius) { return 2 * static_cast<int>(std::ceil(radius)) + 2; }
+  static int GetRings(double radius)
+  {
+    return 2 * static_cast<int>(std::ceil(ClampRadius(radius))) + 2;
+  }
 
   /// What Collect() found; the centre is the first.
   const std::vector<Member>& GetMembers() const { return this->Members; }
-
-  /// The triangles that have a corner among the members, in the order they are met.
-  const std::vector<Index>& CollectTriangles();
 
   /// No more points than these are looked at: a hub of a fan may have a hundred thousand.
   static constexpr int MaximumSize = 4096;
@@ -107,9 +112,7 @@ private:
   const Tuples<3>* Normals = nullptr;
   std::vector<Member> Members;
   std::vector<Index> Candidates;
-  std::vector<Index> Triangles;
   std::vector<std::uint32_t> PointStamps;
-  std::vector<std::uint32_t> TriangleStamps;
   std::uint32_t Stamp = 0;
 };
 }
