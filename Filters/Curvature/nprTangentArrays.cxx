@@ -5,7 +5,6 @@
 #include "nprArrayNames.h"
 #include "nprCurvature.h"
 #include "nprCurvatureDerivatives.h"
-#include "nprCurvatureEstimator.h"
 
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -101,24 +100,5 @@ void AddCurvatureArrays(vtkPolyData* surface, Tuples<6> tensors, const Tuples<3>
   add(names::ShapeIndex, shapeIndex);
   add(names::Curvedness, curvedness);
   add(names::CurvatureDerivatives, derivatives);
-}
-
-//------------------------------------------------------------------------------
-Tuples<4> ToPrincipalFrames(const CurvatureEstimate& estimate)
-{
-  Tuples<4> derivatives(estimate.Derivatives.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(derivatives.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Eigen::Vector3d normal = estimate.Normals[i].cast<double>();
-        const PrincipalFrame frame = Diagonalise(estimate.Tensors[i].cast<double>(), normal);
-        derivatives[i] = ChangeFrame(
-          estimate.Derivatives[i].cast<double>(), MakeTangentFrame(normal), { frame.E1, frame.E2 })
-                           .cast<float>();
-      }
-    });
-  return derivatives;
 }
 }

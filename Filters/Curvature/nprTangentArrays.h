@@ -17,8 +17,6 @@ VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
-struct CurvatureEstimate;
-
 /// The surface's active normals, else its array "Normals", else null.
 vtkDataArray* FindNormals(vtkPolyData* surface);
 
@@ -39,9 +37,6 @@ struct CurvatureArrays
 /// S, T in the principal frames
 void AddCurvatureArrays(vtkPolyData* surface, Tuples<6> tensors, const Tuples<3>& normals,
   const CurvatureArrays& wanted = CurvatureArrays(), Tuples<4> derivatives = Tuples<4>());
-
-/// P, Q, S, T: the estimate's derivatives in the principal frames of its tensors.
-Tuples<4> ToPrincipalFrames(const CurvatureEstimate& estimate);
 }
 
 #endif

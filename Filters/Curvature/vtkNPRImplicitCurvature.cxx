@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkNPRImplicitCurvature);
 vtkCxxSetSmartPointerMacro(vtkNPRImplicitCurvature, ImplicitFunction, vtkImplicitFunction);
@@ -119,13 +120,9 @@ int vtkNPRImplicitCurvature::RequestData(
 
   vtkPointData* const pointData = output->GetPointData();
   pointData->SetNormals(npr::MakeArray<3>(npr::names::Normals, estimate.Normals));
-  npr::AddCurvatureArrays(output, estimate.Tensors, estimate.Normals,
-    { true, true, true, true, true, this->OutputShapeIndex, this->OutputCurvedness });
-  if (this->OutputDerivatives)
-  {
-    pointData->AddArray(
-      npr::MakeArray<4>(npr::names::CurvatureDerivatives, npr::ToPrincipalFrames(estimate)));
-  }
+  npr::AddCurvatureArrays(output, std::move(estimate.Tensors), estimate.Normals,
+    { true, true, true, true, true, this->OutputShapeIndex, this->OutputCurvedness },
+    std::move(estimate.Derivatives));
   pointData->AddArray(npr::MakeFlagArray(npr::names::UnknownCurvature, estimate.Unknown));
   const auto unknown = std::count(estimate.Unknown.begin(), estimate.Unknown.end(), 1);
   if (unknown > 0)

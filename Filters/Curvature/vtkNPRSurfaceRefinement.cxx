@@ -4,11 +4,11 @@
 
 #include "nprArrayNames.h"
 #include "nprCurvature.h"
-#include "nprCurvatureEstimator.h"
 #include "nprGhostLevels.h"
 #include "nprLengthScale.h"
 #include "nprMidpointArrays.h"
 #include "nprProgress.h"
+#include "nprRemeshedArrays.h"
 #include "nprSurfaceArrays.h"
 #include "nprSurfaceNormals.h"
 #include "nprSurfaceRefinement.h"
@@ -27,6 +27,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkNPRSurfaceRefinement);
 
@@ -77,9 +78,6 @@ void SetCurvatureArrays(
     return;
   }
   const npr::Tuples<6> coarse = npr::ReadTuples<6>(array);
-  npr::CurvatureEstimate estimate;
-  estimate.Normals = refined.Normals;
-  estimate.Tensors = npr::ExtendTensors(coarse, refined);
   npr::CurvatureArrays wanted;
   wanted.PrincipalCurvatures = input->HasArray(npr::names::PrincipalCurvature1);
   wanted.PrincipalDirections = input->HasArray(npr::names::PrincipalDirection1);
@@ -87,9 +85,8 @@ void SetCurvatureArrays(
   wanted.GaussianCurvature = input->HasArray(npr::names::GaussianCurvature);
   wanted.ShapeIndex = input->HasArray(npr::names::ShapeIndex);
   wanted.Curvedness = input->HasArray(npr::names::Curvedness);
-  npr::AddCurvatureArrays(surface, estimate.Tensors, estimate.Normals, wanted);
-
-  if (vtkDataArray* derivatives = Find(input, refined, npr::names::CurvatureDerivatives, 4))
+  npr::Tuples<4> derivatives;
+  if (vtkDataArray* coarseDerivatives = Find(input, refined, npr::names::CurvatureDerivatives, 4))
   {
     // A direction may point either way, and the derivatives say nothing without knowing which.
     vtkDataArray* const given = Find(input, refined, npr::names::PrincipalDirection1, 3);
@@ -98,10 +95,10 @@ void SetCurvatureArrays(
       : npr::ComputePrincipalFrames(
           coarse, { refined.Normals.begin(), refined.Normals.begin() + coarse.size() })
           .E1;
-    estimate.Derivatives = npr::ExtendDerivatives(npr::ReadTuples<4>(derivatives), e1, refined);
-    surface->GetPointData()->AddArray(
-      npr::MakeArray<4>(npr::names::CurvatureDerivatives, npr::ToPrincipalFrames(estimate)));
+    derivatives = npr::ExtendDerivatives(npr::ReadTuples<4>(coarseDerivatives), e1, refined);
   }
+  npr::AddCurvatureArrays(
+    surface, npr::ExtendTensors(coarse, refined), refined.Normals, wanted, std::move(derivatives));
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +224,10 @@ bool vtkNPRSurfaceRefinement::Compute(vtkPolyData* input, vtkPolyData* output, b
   if (!isPiece) // whose own is not the whole's
   {
     npr::SetLengthScale(output, lengthScale);
+  }
+  if (!refined.Parents.empty())
+  {
+    npr::DropDensityArrays(output);
   }
   return true;
 }

@@ -14,7 +14,8 @@
  * on the mesh as it was measured). Points of the input stay where and which they are; midpoints
  * follow. Point arrays are interpolated linearly (integers other than bytes taken from one end);
  * the curvature tensor and its derivatives are turned into the tangent planes of the new points,
- * and what follows from the tensor computed anew. Cell arrays pass to all parts of a cell.
+ * and what follows from the tensor computed anew. PointArea and NeighbourhoodRadius, which belong
+ * to the coarse triangles, are dropped. Cell arrays pass to all parts of a cell.
  *
  * Pieces of a surface are refined alike where they meet: the filter asks for the ghost levels that
  * it needs, and drops them. But MaximumNumberOfTriangles holds for each piece, and the input should

@@ -77,6 +77,15 @@ void DropShapeArrays(vtkPolyData* surface)
   {
     points->RemoveArray(name);
   }
+  for (int scale = 1;; ++scale)
+  {
+    const std::string name = names::ScaleNormalsPrefix + std::to_string(scale);
+    if (!points->HasArray(name.c_str()))
+    {
+      break;
+    }
+    points->RemoveArray(name.c_str());
+  }
   DropDensityArrays(surface);
 }
 

@@ -282,9 +282,21 @@ void TestArrays(Checks& check)
   }
   waves.Mesh->GetPointData()->SetScalars(x);
   Refined refined(waves.Mesh);
+  refined.Stages.Tensor->OutputPointAreaOn();
+  refined.Stages.Tensor->SetEstimatorToJets();
+  refined.Refinement->SetNumberOfLevels(0);
+  const auto hasDensity = [](vtkPolyData* surface)
+  {
+    return surface->GetPointData()->HasArray(npr::names::PointArea) &&
+      surface->GetFieldData()->HasArray(npr::names::NeighbourhoodRadius);
+  };
+  check(hasDensity(refined.Update()), "where nothing is parted all arrays hold");
   refined.Refinement->SetNumberOfLevels(2);
   vtkPolyData* output = refined.Update();
   check(output->GetPointData()->GetScalars() != nullptr, "active arrays stay active");
+  check(!output->GetPointData()->HasArray(npr::names::PointArea) &&
+      !output->GetFieldData()->HasArray(npr::names::NeighbourhoodRadius),
+    "what belongs to the coarse triangles is dropped");
   double worst = 0.0;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {

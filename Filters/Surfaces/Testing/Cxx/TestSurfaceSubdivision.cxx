@@ -178,6 +178,7 @@ void TestArrays(Checks& check)
       check(cells->GetComponent(i, 0) == i / 16, "cell arrays pass to the parts");
     }
     check(!fine->GetPointData()->GetNormals() && !fine->GetPointData()->HasArray("MyNormals") &&
+        !fine->GetPointData()->HasArray("Normals2") &&
         !fine->GetPointData()->HasArray(npr::names::PrincipalCurvature1) &&
         !fine->GetFieldData()->HasArray(npr::names::NeighbourhoodRadius),
       "what belongs to the old shape is dropped");

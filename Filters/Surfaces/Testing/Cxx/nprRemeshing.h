@@ -143,6 +143,13 @@ inline void AddShapeArrays(vtkPolyData* mesh)
   normals->SetNumberOfTuples(mesh->GetNumberOfPoints());
   normals->Fill(1.0);
   mesh->GetPointData()->SetNormals(normals);
+  for (const char* scale : { "Normals1", "Normals2" })
+  {
+    vtkNew<vtkFloatArray> smooth;
+    smooth->DeepCopy(normals);
+    smooth->SetName(scale);
+    mesh->GetPointData()->AddArray(smooth);
+  }
   vtkNew<vtkFloatArray> curvature;
   curvature->SetName(npr::names::PrincipalCurvature1);
   curvature->SetNumberOfTuples(mesh->GetNumberOfPoints());
