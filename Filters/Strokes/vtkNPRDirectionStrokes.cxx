@@ -51,7 +51,8 @@ int vtkNPRDirectionStrokes::RequestData(
     return 1;
   }
   vtkDataArray* const directions = this->GetInputArrayToProcess(0, inputs);
-  if (!directions || directions->GetNumberOfComponents() != 3)
+  if (!directions || directions->GetNumberOfComponents() != 3 ||
+    directions->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
     vtkErrorMacro("The surface has no point array of directions with 3 components; run "
                   "vtkNPRCurvatureTensor first, or name one by SetInputArrayToProcess().");
@@ -61,7 +62,8 @@ int vtkNPRDirectionStrokes::RequestData(
   if (this->StrengthArray)
   {
     vtkDataArray* const array = input->GetPointData()->GetArray(this->StrengthArray);
-    if (!array || array->GetNumberOfComponents() != 1)
+    if (!array || array->GetNumberOfComponents() != 1 ||
+      array->GetNumberOfTuples() != input->GetNumberOfPoints())
     {
       vtkErrorMacro("The surface has no point array '"
         << this->StrengthArray << "' of single values; name one that it has as StrengthArray.");

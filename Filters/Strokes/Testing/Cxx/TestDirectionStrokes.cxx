@@ -5,6 +5,7 @@
 #include "nprLengthScale.h"
 #include "vtkNPRDirectionStrokes.h"
 
+#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkPointData.h>
@@ -138,6 +139,16 @@ int TestDirectionStrokes(int, char*[])
   filter->SetStrengthArray("Missing");
   filter->Update();
   check(filter->GetOutput()->GetNumberOfLines() == 0, "no strokes without the array");
+  vtkNew<vtkFloatArray> ofCells;
+  ofCells->SetName("OfCells");
+  ofCells->SetNumberOfComponents(3);
+  ofCells->SetNumberOfTuples(surface->GetNumberOfCells());
+  ofCells->Fill(1.0);
+  surface->GetCellData()->AddArray(ofCells);
+  filter->SetStrengthArray(nullptr);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells");
+  filter->Update();
+  check(filter->GetOutput()->GetNumberOfLines() == 0, "no strokes along directions of cells");
   vtkNew<vtkPolyData> empty;
   filter->SetInputData(empty);
   filter->Update();
