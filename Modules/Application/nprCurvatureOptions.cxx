@@ -64,10 +64,10 @@ vtkSmartPointer<vtkPolyData> CurvatureOptions::Compute(
   Prepare(preparation, model, reporter);
   vtkNew<vtkPolyData> surface;
   surface->ShallowCopy(preparation->GetOutput());
-  if (vtkDataArray* normals = surface->GetPointData()->GetNormals())
-  {
-    surface->GetPointData()->RemoveArray(normals->GetName());
-  }
+  surface->GetPointData()->SetNormals(nullptr);
+  surface->GetPointData()->RemoveArray(names::Normals);
+  // Of the estimate that a file of ours was written with.
+  surface->GetFieldData()->RemoveArray(names::NeighbourhoodRadius);
 
   reporter.BeginStage("curvature");
   vtkNew<vtkNPRCurvatureTensor> tensor;

@@ -34,7 +34,7 @@ struct CurvatureOptions
   void AddTo(CLI::App& command);
 
   /// The prepared surface with all arrays of curvature. Normals of the file play no part: they are
-  /// often those of facets, or of another surface.
+  /// often those of facets, or of another surface; nor does a radius that it was estimated with.
   vtkSmartPointer<vtkPolyData> Compute(
     vtkNPRSurfacePreparation* preparation, vtkPolyData* model, Reporter& reporter) const;
 

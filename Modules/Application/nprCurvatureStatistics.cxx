@@ -56,7 +56,6 @@ Distribution::Distribution(
     this->Mean = 0.0;
     return;
   }
-  this->Empty = false;
   this->Mean /= whole;
   std::sort(weighted.begin(), weighted.end());
   this->Levels[0] = weighted.front().first;

@@ -23,7 +23,6 @@ public:
     vtkPolyData* surface, const char* array,
     const std::function<double(double)>& change = [](double value) { return value; });
 
-  bool IsEmpty() const { return this->Empty; }
   double GetMinimum() const { return this->Levels[0]; }
   double GetLow() const { return this->Levels[1]; } ///< 5 % of the surface are below.
   double GetMedian() const { return this->Levels[2]; }
@@ -32,7 +31,6 @@ public:
   double GetMean() const { return this->Mean; }
 
 private:
-  bool Empty = true;
   double Levels[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
   double Mean = 0.0;
 };
