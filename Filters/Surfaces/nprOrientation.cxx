@@ -16,13 +16,12 @@ using Eigen::Vector3d;
 }
 
 //------------------------------------------------------------------------------
-vtkIdType OrientTriangles(TriangleMesh& mesh)
+void OrientTriangles(TriangleMesh& mesh)
 {
   const Index numberOfTriangles = mesh.GetNumberOfTriangles();
   std::vector<unsigned char> seen(numberOfTriangles, 0);
   std::vector<unsigned char> turned(numberOfTriangles, 0);
   std::vector<Index> component;
-  vtkIdType count = 0;
   for (Index seed = 0; seed < numberOfTriangles; ++seed)
   {
     if (seen[seed])
@@ -74,10 +73,7 @@ vtkIdType OrientTriangles(TriangleMesh& mesh)
       {
         mesh.Flip(t);
       }
-      numberOfTurned = component.size() - numberOfTurned;
     }
-    count += static_cast<vtkIdType>(numberOfTurned);
   }
-  return count;
 }
 }

@@ -13,9 +13,8 @@
 namespace npr
 {
 /// Turns triangles over until neighbours agree and closed components have their normals outside;
-/// open ones keep the side of most of their triangles (needs the neighbours). Returns how many it
-/// turned.
-VTKNPRFILTERSSURFACES_EXPORT vtkIdType OrientTriangles(TriangleMesh& mesh);
+/// open ones keep the side of most of their triangles (needs the neighbours).
+VTKNPRFILTERSSURFACES_EXPORT void OrientTriangles(TriangleMesh& mesh);
 }
 
 #endif

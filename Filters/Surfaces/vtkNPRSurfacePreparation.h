@@ -37,6 +37,8 @@
 #include "vtkNPRFiltersSurfacesModule.h"
 #include <vtkPolyDataAlgorithm.h>
 
+#include <string>
+
 class VTKNPRFILTERSSURFACES_EXPORT vtkNPRSurfacePreparation : public vtkPolyDataAlgorithm
 {
 public:

@@ -85,8 +85,6 @@ SurfacePipeline::SurfacePipeline()
 {
   this->Normals->SetInputConnection(this->Preparation->GetOutputPort());
   this->Tensor->SetInputConnection(this->Normals->GetOutputPort());
-  // Until the styles' pictures have been judged with the wider estimators.
-  this->Tensor->SetEstimatorToPerFace();
   this->Refinement->SetInputConnection(this->Tensor->GetOutputPort());
   this->RefinedNormals->SetInputConnection(this->Refinement->GetOutputPort());
   this->Lines->SetInputConnection(this->RefinedNormals->GetOutputPort());
