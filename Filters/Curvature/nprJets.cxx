@@ -28,6 +28,10 @@ constexpr double BaseRadius = 2.75;
 /// See ChooseRadius(); measured on a noisy torus of 3,000 to 200,000 triangles.
 constexpr double Balance = 1300.0;
 
+/// In edges: what is below is the rounding of single precision. On surfaces that are mostly flat it
+/// would be all there is, and the bends that matter be lost in the greatest neighbourhood.
+constexpr double LeastNoise = 1e-5;
+
 /// From how far out, in radii, the points' centre of gravity tells of a border; and how fast the
 /// radius grows from there, so that half a neighbourhood holds about as many points as a whole one.
 constexpr double LeastOneSided = 0.1;
@@ -264,6 +268,10 @@ double ChooseRadius(const TriangleMesh& mesh, const PointGraph& graph, const Tup
     return BaseRadius;
   }
   const double noise = Median(noises);
+  if (noise < LeastNoise)
+  {
+    return BaseRadius;
+  }
   const double bend = Median(bends);
   // The derivative's error is about noise * edge / r^4 from noise, and r^2 / feature^4 from bias.
   const double radius = std::pow(Balance * noise / std::pow(bend, 4), 1.0 / 6.0);

@@ -244,6 +244,19 @@ void TestRadius(Checks& check)
   check(error < 0.1, "a radius in length scales is taken", error);
   length.Tensor->SetNeighbourhoodRadius(1.0);
   check(getError(length.Update(surface.Mesh)) > 2.0 * error, "and makes a difference");
+
+  // A plane that stands askew, so that its points are rounded.
+  const AnalyticSurface plane = MakeWaves(48);
+  for (vtkIdType i = 0; i < plane.Mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    plane.Mesh->GetPoint(i, p);
+    plane.Mesh->GetPoints()->SetPoint(
+      i, 0.8 * p[0] + 0.1 * p[1], 0.3 * p[0] - 0.7 * p[1], 0.5 * p[0] + 0.6 * p[1]);
+  }
+  Estimate flat;
+  const double radius = GetRadius(flat.Update(plane.Mesh));
+  check(radius < 3.0, "rounding is not taken for noise", radius);
 }
 }
 
