@@ -58,8 +58,9 @@ inline Progress PartOf(const Progress& whole, double begin, double end)
 template<typename Function>
 bool ForWithProgress(vtkIdType size, const Progress& progress, const Function& function)
 {
-  constexpr vtkIdType LeastPart = 50000; // a part must be worth the start of its threads
-  const vtkIdType part = std::max(LeastPart, size / 16 + 1);
+  // A part must be worth the start of its threads, and not make those wait who want it to end.
+  constexpr vtkIdType LeastPart = 2000;
+  const vtkIdType part = std::max(LeastPart, size / 64 + 1);
   for (vtkIdType begin = 0; begin < size; begin += part)
   {
     if (!progress(static_cast<double>(begin) / size))
