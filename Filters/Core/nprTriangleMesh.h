@@ -95,6 +95,10 @@ public:
   {
     return this->IncidentOffsets[point + 1] - this->IncidentOffsets[point];
   }
+  /// From any place in the list of triangles around points, one may look so far ahead, into the
+  /// lists of the next points, to load what will be needed; after the last there are zeros.
+  static constexpr int LookAhead = 16;
+
   /// How many triangles have an edge between two points (needs the incidence).
   int CountTrianglesAtEdge(Index from, Index to) const;
 

@@ -65,7 +65,7 @@ void TriangleMesh::BuildIncidence()
     }
   }
   this->IncidentOffsets.back() = offset;
-  this->Incident.resize(offset);
+  this->Incident.resize(static_cast<std::size_t>(offset) + LookAhead);
   forEachPart(
     [&](std::vector<Index>& places, vtkIdType begin, vtkIdType end)
     {

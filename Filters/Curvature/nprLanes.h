@@ -43,6 +43,16 @@ using Lanes = float;
 constexpr int NumberOfLanes = 1;
 #endif
 
+/// Starts to load what will be read soon.
+inline void Prefetch(const void* address)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#else
+  (void)address;
+#endif
+}
+
 inline float SquareRoot(float x)
 {
   return std::sqrt(x);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprSurfaceNormals.h"
 
+#include "nprLanes.h"
+
 #include <vtkSMPTools.h>
 
 #include <Eigen/Geometry>
@@ -36,6 +38,7 @@ bool AddUpNormals(
   Real magnitude = 0;
   for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
   {
+    Prefetch(&mesh.GetTriangles()[t[TriangleMesh::LookAhead]]);
     const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
     const int here = corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
     const Index next = corners[here == 2 ? 0 : here + 1];
