@@ -363,11 +363,13 @@ FittedNormals FitNormals(const TriangleMesh& mesh, const PointGraph& graph,
 /// the edges. Both factors are measured, between the best for curvature and for its derivatives.
 double ChooseRadius(double noise, double bend)
 {
+  // Each triangle around costs more than a point does a jet.
+  constexpr double greatest = 14.0;
   // What is below is the rounding of single precision.
   constexpr double leastNoise = 1e-5;
   const double noisy = noise < leastNoise ? 0.0 : 3.0 * std::pow(noise / std::pow(bend, 3), 0.25);
   const double clean = std::clamp(2.0 * std::pow(bend, -0.25), CleanRadius[0], CleanRadius[1]);
-  return std::min(std::max(clean, noisy), GreatestRadius);
+  return std::min(std::max(clean, noisy), greatest);
 }
 }
 

@@ -31,6 +31,9 @@ constexpr double Balance = 1300.0;
 /// In edges: what is below is the rounding of single precision. On surfaces that are mostly flat it
 /// would be all there is, and the bends that matter be lost in the greatest neighbourhood.
 constexpr double LeastNoise = 1e-5;
+/// Where the choice ends, in edges: at some 2500 points for each fit. What lies to one side of its
+/// neighbourhood, at a border, may still look farther.
+constexpr double GreatestChoice = 28.0;
 
 /// From how far out, in radii, the points' centre of gravity tells of a border; and how fast the
 /// radius grows from there, so that half a neighbourhood holds about as many points as a whole one.
@@ -275,7 +278,7 @@ double ChooseRadius(const TriangleMesh& mesh, const PointGraph& graph, const Tup
   const double bend = Median(bends);
   // The derivative's error is about noise * edge / r^4 from noise, and r^2 / feature^4 from bias.
   const double radius = std::pow(Balance * noise / std::pow(bend, 4), 1.0 / 6.0);
-  return std::isfinite(radius) ? std::clamp(radius, BaseRadius, Jets::GreatestRadius) : BaseRadius;
+  return std::isfinite(radius) ? std::clamp(radius, BaseRadius, GreatestChoice) : BaseRadius;
 }
 }
 
@@ -283,8 +286,8 @@ double ChooseRadius(const TriangleMesh& mesh, const PointGraph& graph, const Tup
 int Jets::GetReach() const
 {
   // One more ring for the edges' lengths, one for the normals.
-  const bool open = this->Fit.Radius <= 0.0 || this->Fit.Length > 0.0;
-  return Neighbourhood::GetRings(open ? GreatestRadius : this->Fit.Radius) + 2;
+  const double chosen = this->Fit.Radius > 0.0 ? this->Fit.Radius : GreatestChoice;
+  return Neighbourhood::GetRings(this->Fit.Length > 0.0 ? GreatestRadius : chosen) + 2;
 }
 
 //------------------------------------------------------------------------------

@@ -86,7 +86,7 @@ public:
 
   /// What estimators take, in mean edges.
   static constexpr double LeastRadius = 1.5;
-  static constexpr double GreatestRadius = 14.0;
+  static constexpr double GreatestRadius = 40.0;
   static double ClampRadius(double radius)
   {
     return std::clamp(radius, LeastRadius, GreatestRadius);
@@ -102,7 +102,7 @@ public:
   const std::vector<Member>& GetMembers() const { return this->Members; }
 
   /// No more points than these are looked at: a hub of a fan may have a hundred thousand.
-  static constexpr int MaximumSize = 4096;
+  static constexpr int MaximumSize = 8192;
 
 private:
   std::uint32_t NextStamp();
