@@ -31,6 +31,7 @@ constexpr double Balance = 1300.0;
 /// In edges: what is below is the rounding of single precision. On surfaces that are mostly flat it
 /// would be all there is, and the bends that matter be lost in the greatest neighbourhood.
 constexpr double LeastNoise = 1e-5;
+
 /// Where the choice ends, in edges: at some 2500 points for each fit. What lies to one side of its
 /// neighbourhood, at a border, may still look farther.
 constexpr double GreatestChoice = 28.0;

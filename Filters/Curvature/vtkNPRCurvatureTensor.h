@@ -89,9 +89,9 @@ public:
   /// default) chooses by the surface's noise, about 3 mean edges on a clean one (CORRECTED_MEASURES
   /// up to 5); what that came to stands in the output's field data array "NeighbourhoodRadius"
   /// (mean edges), and where the input has that array it holds, so that the parts of a surface and
-  /// the frames of an animation can share one: without it, pieces are asked for as many ghost levels
-  /// as the greatest choice needs. JETS and CORRECTED_MEASURES take from 1.5 to 40 mean edges; by
-  /// themselves they choose at most 28 and 14.
+  /// the frames of an animation can share one: without it, pieces are asked for as many ghost
+  /// levels as the greatest choice needs. JETS and CORRECTED_MEASURES take from 1.5 to 40 mean
+  /// edges; by themselves they choose at most 28 and 14.
   vtkSetClampMacro(NeighbourhoodRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NeighbourhoodRadius, double);
   ///@}

@@ -231,11 +231,11 @@ void TestRadius(Checks& check)
   { return MeasureSurface(output, surface.Truths).All.Principal.Rms; };
   check(getError(stored.Tensor->GetOutput()) == getError(given.Tensor->GetOutput()),
     "and is the same as one that is given");
-  given.Tensor->SetNeighbourhoodRadius(14.0);
+  given.Tensor->SetNeighbourhoodRadius(40.0);
   const double greatest = getError(given.Update(surface.Mesh));
   given.Tensor->SetNeighbourhoodRadius(1e20);
   const double beyond = getError(given.Update(surface.Mesh));
-  check(GetRadius(given.Tensor->GetOutput()) == 14.0 && beyond == greatest,
+  check(GetRadius(given.Tensor->GetOutput()) == 40.0 && beyond == greatest,
     "one that is too large becomes the greatest", beyond - greatest);
   Estimate length;
   length.Tensor->SetRadiusUnitToLengthScale();
