@@ -16,14 +16,13 @@
  */
 #include "nprArrayNames.h"
 #include "nprBenchmarkCost.h"
+#include "nprBenchmarkModel.h"
 #include "nprBenchmarkTorus.h"
 #include "nprPlainCurvature.h"
 #include "nprTriangleMesh.h"
 #include "vtkNPRCurvatureDerivatives.h"
 #include "vtkNPRCurvatureTensor.h"
-#include "vtkNPRModelImporter.h"
 #include "vtkNPRSurfaceNormals.h"
-#include "vtkNPRSurfacePreparation.h"
 
 #include <vtkCurvatures.h>
 #include <vtkNew.h>
@@ -45,30 +44,6 @@
 namespace
 {
 using namespace nprbench;
-
-//------------------------------------------------------------------------------
-//------------------------------------------------------------------------------
-Surface ReadModel(const char* name)
-{
-  vtkNew<vtkNPRModelImporter> importer;
-  importer->SetFileName(name);
-  vtkNew<vtkPolyData> model;
-  if (!importer->GetSurface(model))
-  {
-    return nullptr;
-  }
-  vtkNew<vtkNPRSurfacePreparation> preparation;
-  preparation->SetInputData(model);
-  preparation->SetSplitCreases(false);
-  preparation->Update();
-  // The geometry alone, in single precision, whatever the file had.
-  vtkNew<vtkPoints> points;
-  points->DeepCopy(preparation->GetOutput()->GetPoints());
-  auto surface = Surface::New();
-  surface->SetPoints(points);
-  surface->SetPolys(preparation->GetOutput()->GetPolys());
-  return surface;
-}
 
 //------------------------------------------------------------------------------
 PlainMesh MakePlain(vtkPolyData* surface)

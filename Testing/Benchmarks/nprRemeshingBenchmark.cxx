@@ -10,13 +10,12 @@
  * those of the model's points from the result, in length scales.
  */
 #include "nprBenchmarkCost.h"
+#include "nprBenchmarkModel.h"
 #include "nprTriangleMesh.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLines.h"
-#include "vtkNPRModelImporter.h"
 #include "vtkNPRSurfaceDecimation.h"
 #include "vtkNPRSurfaceOrder.h"
-#include "vtkNPRSurfacePreparation.h"
 #include "vtkNPRSurfaceSmoothing.h"
 #include "vtkNPRSurfaceSubdivision.h"
 
@@ -48,26 +47,6 @@ namespace
 {
 using namespace nprbench;
 using Surface = vtkSmartPointer<vtkPolyData>;
-
-//------------------------------------------------------------------------------
-Surface ReadModel(const char* name)
-{
-  vtkNew<vtkNPRModelImporter> importer;
-  importer->SetFileName(name);
-  vtkNew<vtkPolyData> model;
-  if (!importer->GetSurface(model))
-  {
-    return nullptr;
-  }
-  vtkNew<vtkNPRSurfacePreparation> preparation;
-  preparation->SetInputData(model);
-  preparation->SetSplitCreases(false);
-  preparation->Update();
-  auto surface = Surface::New();
-  surface->SetPoints(preparation->GetOutput()->GetPoints());
-  surface->SetPolys(preparation->GetOutput()->GetPolys());
-  return surface;
-}
 
 //------------------------------------------------------------------------------
 Surface Shuffle(vtkPolyData* surface)
