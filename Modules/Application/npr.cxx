@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 int main(int argc, char* argv[])
 {
@@ -53,7 +54,9 @@ int main(int argc, char* argv[])
   }
   catch (const CLI::ParseError& error)
   {
-    std::fprintf(stderr, "npr: %s (see npr --help)\n", error.what());
+    const auto commands = program.get_subcommands();
+    const std::string verb = commands.empty() ? "" : commands.front()->get_name() + " ";
+    std::fprintf(stderr, "npr: %s (see npr %s--help)\n", error.what(), verb.c_str());
     return npr::UsageError;
   }
   catch (const npr::CommandError& error)

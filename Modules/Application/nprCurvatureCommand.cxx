@@ -37,14 +37,10 @@ struct CurvatureCommandOptions
   std::string Show;
 };
 
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 bool IsSurfaceFile(const std::string& file)
 {
-  return EndsWith(file, ".vtp") || EndsWith(file, ".vtk");
+  const std::string extension = ExtensionOf(file);
+  return extension == ".vtp" || extension == ".vtk";
 }
 
 template<class Writer>
@@ -61,7 +57,7 @@ void WriteWith(Writer* writer, vtkPolyData* surface, const std::string& file)
 
 void WriteSurface(vtkPolyData* surface, const std::string& file)
 {
-  if (EndsWith(file, ".vtp"))
+  if (ExtensionOf(file) == ".vtp")
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
     WriteWith(writer.Get(), surface, file);
@@ -140,9 +136,9 @@ void MakeCurvature(const CurvatureCommandOptions& options, Reporter& reporter)
       (options.Sample ? "the sample" : options.Models.Files.front()) +
         ": has no triangle with an area, and so no curvature");
   }
-  reporter.BeginStage("write");
   if (IsSurfaceFile(options.Output))
   {
+    reporter.BeginStage("write");
     WriteSurface(surface, options.Output);
   }
   else if (!options.Output.empty())

@@ -46,6 +46,7 @@ constexpr Colour Ink = { 0.13, 0.13, 0.15 };
 constexpr Colour FirstInk = { 0.16, 0.17, 0.24 };
 constexpr Colour SecondInk = { 0.80, 0.62, 0.50 };
 constexpr const char* Directions = "directions";
+constexpr double LeastContour = 0.02; // of the picture's height: the specks of a scan draw no line
 
 /// A quantity that is shown by colours.
 struct Quantity
@@ -227,6 +228,7 @@ std::vector<std::string> GetPictureNames()
 void DrawCurvature(vtkPolyData* surface, const std::string& what, const ViewOptions& view,
   const ModelOptions& models, const std::string& file, Reporter& reporter)
 {
+  reporter.BeginStage("draw");
   const auto* const quantity = std::find_if(std::begin(Quantities), std::end(Quantities),
     [&](const Quantity& known) { return what == known.Name; });
   const bool hasColours = quantity != std::end(Quantities);
@@ -252,6 +254,7 @@ void DrawCurvature(vtkPolyData* surface, const std::string& what, const ViewOpti
   vtkNew<vtkNPRFeatureLines> contours;
   contours->SetInputData(surface);
   contours->AddDefinition("contours");
+  contours->SetMinimumLength(LeastContour);
   contours->SetCamera(renderer->GetActiveCamera());
   vtkNew<vtkNPRSplineStrokes> strokes;
   strokes->SetInputConnection(contours->GetOutputPort());
@@ -267,7 +270,6 @@ void DrawCurvature(vtkPolyData* surface, const std::string& what, const ViewOpti
     legend.Strokes = { { FirstInk, "first principal direction" },
       { SecondInk, "second principal direction" } };
   }
-  reporter.BeginStage("draw");
   vtkSmartPointer<vtkImageData> image = GrabImage(window, reporter);
   if (height > 0)
   {

@@ -32,14 +32,6 @@ namespace
 {
 namespace fs = std::filesystem;
 
-std::string ExtensionOf(const std::string& file)
-{
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 vtkSmartPointer<vtkImageWriter> MakeWriter(const std::string& file)
 {
   const std::string extension = ExtensionOf(file);
@@ -109,6 +101,15 @@ bool KeepsTransparency(const std::string& file)
   const std::string extension = ExtensionOf(file);
   return extension == ".png" || extension == ".tif" || extension == ".tiff";
 }
+}
+
+//------------------------------------------------------------------------------
+std::string ExtensionOf(const std::string& file)
+{
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return std::tolower(c); });
+  return extension;
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,9 @@ class vtkImageData;
 
 namespace npr
 {
+/// In lower case, with its dot.
+std::string ExtensionOf(const std::string& file);
+
 /// Before any long work: is the extension one that can be written, does the folder exist?
 /// Throws a CommandError that says what to do.
 void CheckImageFile(const std::string& file);
