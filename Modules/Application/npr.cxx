@@ -56,7 +56,9 @@ int main(int argc, char* argv[])
   {
     const auto commands = program.get_subcommands();
     const std::string verb = commands.empty() ? "" : commands.front()->get_name() + " ";
-    std::fprintf(stderr, "npr: %s (see npr %s--help)\n", error.what(), verb.c_str());
+    const std::string what =
+      verb.empty() && argc > 1 ? std::string(argv[1]) + " is not a subcommand" : error.what();
+    std::fprintf(stderr, "npr: %s (see npr %s--help)\n", what.c_str(), verb.c_str());
     return npr::UsageError;
   }
   catch (const npr::CommandError& error)
