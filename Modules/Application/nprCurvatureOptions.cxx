@@ -45,9 +45,8 @@ void CurvatureOptions::AddTo(CLI::App& command)
     ->capture_default_str();
   command
     .add_option("--radius", this->Radius,
-      "How far the estimate looks, in mean edges, 1.5 to 14; 0 chooses by the noise of the "
-      "surface. "
-      "per-face ignores it: always one ring")
+      "How far the estimate looks, in mean edges, 1.5 to 40; 0 chooses by the noise of the "
+      "surface. per-face ignores it: always one ring")
     ->check(CLI::Range(0.0, 1000.0))
     ->capture_default_str();
   command
