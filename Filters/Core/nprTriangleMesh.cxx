@@ -6,6 +6,8 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPThreadLocal.h>
@@ -21,6 +23,48 @@
 
 namespace npr
 {
+namespace
+{
+/// The middle of the points; where these span much more than polygons do, that of a sample of
+/// polygons: a point that none uses, far away or infinite, must not take the digits of all others.
+Eigen::Vector3d FindCentre(vtkPolyData* surface)
+{
+  constexpr double muchMore = 100.0;
+  constexpr vtkIdType sampleSize = 1000;
+  vtkCellArray* const polygons = surface->GetPolys();
+  const vtkIdType size = polygons->GetNumberOfCells();
+  const vtkIdType step = std::max<vtkIdType>(1, size / sampleSize);
+  Eigen::AlignedBox3d box;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < size; i += step)
+  {
+    polygons->GetCellAtId(i, corners);
+    for (const vtkIdType corner : *corners)
+    {
+      if (corner >= 0 && corner < surface->GetNumberOfPoints())
+      {
+        Eigen::Vector3d point;
+        surface->GetPoint(corner, point.data());
+        if (point.allFinite())
+        {
+          box.extend(point);
+        }
+      }
+    }
+  }
+  double bounds[6];
+  surface->GetBounds(bounds);
+  const Eigen::AlignedBox3d all(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
+    Eigen::Vector3d(bounds[1], bounds[3], bounds[5]));
+  if (box.isEmpty() || all.diagonal().norm() < muchMore * box.diagonal().norm())
+  {
+    box = all;
+  }
+  const Eigen::Vector3d centre = box.center();
+  return centre.allFinite() ? centre : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+}
+
 //------------------------------------------------------------------------------
 TriangleMesh::TriangleMesh(vtkPolyData* surface)
 {
@@ -45,14 +89,7 @@ void TriangleMesh::ReadPoints(vtkPolyData* surface)
   {
     return;
   }
-  double bounds[6];
-  surface->GetBounds(bounds);
-  const Eigen::Vector3d centre(
-    0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
-  if (centre.allFinite())
-  {
-    this->Origin = centre;
-  }
+  this->Origin = FindCentre(surface);
   this->Points.resize(numberOfPoints);
   vtkDataArray* const data = surface->GetPoints()->GetData();
   auto* const floats = vtkFloatArray::FastDownCast(data);

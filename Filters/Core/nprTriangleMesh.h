@@ -23,7 +23,7 @@ namespace npr
  * @class TriangleMesh
  * @brief The triangles of a vtkPolyData as flat arrays, with their adjacency.
  *
- * Points are kept as floats relative to the centre of the bounds (Origin), so that nothing is lost
+ * Points are kept as floats relative to the middle of the surface (Origin), so that nothing is lost
  * far from the origin of the coordinates. Only the triangles among the polygons are taken, and of
  * those only the ones with three different, finite points; each remembers its cell. A triangle's
  * edge e runs from its corner e to its corner (e + 1) % 3.

@@ -105,6 +105,21 @@ void TestBadTriangles()
   Check(mesh.GetNumberOfTriangles() == 1 && mesh.GetCellId(0) == 4, "bad triangles are left out");
 }
 
+/// A point that no triangle uses, however far, takes no digits from the others.
+void TestStrayPoints()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double stray : { -1e9, infinity, std::numeric_limits<double>::quiet_NaN() })
+  {
+    vtkNew<vtkPolyData> surface;
+    MakeSquare(surface, false);
+    surface->GetPoints()->InsertNextPoint(stray, stray, stray);
+    const npr::TriangleMesh mesh(surface);
+    const Eigen::Vector3f edge = mesh.GetPoint(1) - mesh.GetPoint(0);
+    Check((edge - Eigen::Vector3f(1.0f, 0.0f, 0.0f)).norm() < 1e-6f, "no digits are lost");
+  }
+}
+
 void TestLengthScale()
 {
   vtkNew<vtkPolyData> surface;
@@ -124,6 +139,7 @@ int TestTriangleMesh(int, char*[])
 {
   TestAdjacency();
   TestBadTriangles();
+  TestStrayPoints();
   TestLengthScale();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
