@@ -43,7 +43,8 @@ struct SurfacePreparationCounts
   vtkIdType UnusedPoints = 0;        ///< dropped because no triangle was left that needs them
   vtkIdType DegenerateTriangles = 0; ///< dropped for having no area
   vtkIdType FlippedNeedles = 0;      ///< zero-area triangles between others, kept by an edge flip
-  vtkIdType DuplicateTriangles = 0;  ///< dropped for having the points of an earlier one
+  vtkIdType DuplicateTriangles = 0;  ///< dropped for having the points of another one
+  vtkIdType FoldTriangles = 0;       ///< dropped with the one that faces the other way
   vtkIdType ReorientedTriangles = 0; ///< turned over
   vtkIdType NonManifoldEdges = 0;    ///< edges with more than two triangles
   vtkIdType NonManifoldPoints = 0;   ///< with several fans of triangles, at none of those edges

@@ -18,6 +18,12 @@ using Triangle = TriangleMesh::Triangle;
 using Eigen::Vector3d;
 
 //------------------------------------------------------------------------------
+bool HasPoint(const Triangle& corners, Index point)
+{
+  return std::find(corners.begin(), corners.end(), point) != corners.end();
+}
+
+//------------------------------------------------------------------------------
 /// Keeps the triangles (with their cells) for which keep(index) holds; returns how many it dropped.
 template<typename Predicate>
 vtkIdType KeepTriangles(
@@ -60,6 +66,116 @@ int FindMiddleCorner(const TriangleMesh& mesh, const Triangle& corners)
   const Vector3d a = (mesh.GetPoint(corners[1]) - mesh.GetPoint(corners[0])).cast<double>();
   const Vector3d b = (mesh.GetPoint(corners[2]) - mesh.GetPoint(corners[0])).cast<double>();
   return a.cross(b).norm() > 1e-7 * longest ? -1 : middle;
+}
+
+//------------------------------------------------------------------------------
+/// For each triangle the first that has the same points, which mostly is itself (needs the
+/// incidence).
+std::vector<Index> FindFirsts(const TriangleMesh& mesh)
+{
+  std::vector<Index> firsts(mesh.GetNumberOfTriangles());
+  vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        Triangle corners = mesh.GetTriangle(static_cast<Index>(t));
+        for (int i = 1; i < 3; ++i)
+        {
+          if (mesh.GetNumberOfIncident(corners[i]) < mesh.GetNumberOfIncident(corners[0]))
+          {
+            std::swap(corners[i], corners[0]);
+          }
+        }
+        const Index* first = mesh.IncidentBegin(corners[0]);
+        while (*first < t &&
+          !(HasPoint(mesh.GetTriangle(*first), corners[1]) &&
+            HasPoint(mesh.GetTriangle(*first), corners[2])))
+        {
+          ++first;
+        }
+        firsts[t] = *first;
+      }
+    });
+  return firsts;
+}
+
+//------------------------------------------------------------------------------
+/// Whether two triangles with the same points run around them the same way.
+bool FaceAlike(const Triangle& a, const Triangle& b)
+{
+  const auto place = std::find(a.begin(), a.end(), b[0]) - a.begin();
+  return a[(place + 1) % 3] == b[1];
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Which first triangles belong to folds: flaps without thickness, as decimation leaves them on
+ * scans. On each of their triangles as many face one way as the other (their balance is 0), and
+ * where they end, other triangles go on, two by two; without them nothing is open. One side of a
+ * fold would be a fin on three-sided edges, and these be torn. A sheet that somebody made two-sided
+ * is none: it is not fixed to anything, or more than a speck of the surface.
+ */
+std::vector<unsigned char> FindFolds(
+  const TriangleMesh& mesh, const std::vector<Index>& firsts, const std::vector<int>& balances)
+{
+  constexpr double speck = 1e-3; // of the surface's area
+  std::vector<unsigned char> isFold(firsts.size(), 0);
+  double area = 0.0; // twice that, as the other is
+  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    area += firsts[t] == t ? mesh.GetAreaNormal(t).cast<double>().norm() : 0.0;
+  }
+  std::vector<unsigned char> isSeen(firsts.size(), 0);
+  for (Index seed = 0; seed < mesh.GetNumberOfTriangles(); ++seed)
+  {
+    if (firsts[seed] != seed || balances[seed] != 0 || isSeen[seed])
+    {
+      continue;
+    }
+    std::vector<Index> component{ seed };
+    isSeen[seed] = 1;
+    double componentArea = 0.0;
+    bool isFixed = false;
+    bool isEven = true;
+    for (std::size_t i = 0; i < component.size(); ++i)
+    {
+      componentArea += mesh.GetAreaNormal(component[i]).cast<double>().norm();
+      const Triangle& corners = mesh.GetTriangle(component[i]);
+      for (int e = 0; e < 3; ++e)
+      {
+        const Index to = corners[(e + 1) % 3];
+        int others = 0;
+        for (const Index* t = mesh.IncidentBegin(corners[e]); t != mesh.IncidentEnd(corners[e]);
+             ++t)
+        {
+          if (firsts[*t] != *t || !HasPoint(mesh.GetTriangle(*t), to))
+          {
+            continue;
+          }
+          if (balances[*t] != 0)
+          {
+            ++others;
+          }
+          else if (!isSeen[*t])
+          {
+            isSeen[*t] = 1;
+            component.push_back(*t);
+          }
+        }
+        isFixed = isFixed || others > 0;
+        isEven = isEven && others % 2 == 0;
+      }
+    }
+    if (isFixed && isEven && componentArea < speck * area)
+    {
+      for (const Index t : component)
+      {
+        isFold[t] = 1;
+      }
+    }
+  }
+  return isFold;
 }
 }
 
@@ -111,8 +227,7 @@ void MendNeedles(TriangleMesh& mesh, PreparedSurface& surface)
       }
       const Index middle = triangles[t][middles[t]];
       int apex = 0;
-      while (std::find(triangles[t].begin(), triangles[t].end(), triangles[other][apex]) !=
-        triangles[t].end())
+      while (HasPoint(triangles[t], triangles[other][apex]))
       {
         if (++apex == 3)
         {
@@ -150,38 +265,46 @@ void MendNeedles(TriangleMesh& mesh, PreparedSurface& surface)
 void DropDuplicates(TriangleMesh& mesh, PreparedSurface& surface)
 {
   mesh.BuildIncidence();
-  std::vector<unsigned char> isDuplicate(mesh.GetNumberOfTriangles(), 0);
-  vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType t = begin; t < end; ++t)
-      {
-        Triangle corners = mesh.GetTriangle(static_cast<Index>(t));
-        for (int i = 1; i < 3; ++i)
-        {
-          if (mesh.GetNumberOfIncident(corners[i]) < mesh.GetNumberOfIncident(corners[0]))
-          {
-            std::swap(corners[i], corners[0]);
-          }
-        }
-        for (const Index* o = mesh.IncidentBegin(corners[0]); *o < t; ++o)
-        {
-          const Triangle& other = mesh.GetTriangle(*o);
-          const auto has = [&](Index p) { return other[0] == p || other[1] == p || other[2] == p; };
-          if (has(corners[1]) && has(corners[2]))
-          {
-            isDuplicate[t] = 1;
-            break;
-          }
-        }
-      }
-    });
-  surface.Counts.DuplicateTriangles = KeepTriangles(
-    surface.Triangles, surface.SourceCells, [&](std::size_t t) { return !isDuplicate[t]; });
-  if (surface.Counts.DuplicateTriangles > 0)
+  const std::vector<Index> firsts = FindFirsts(mesh);
+  const Index size = mesh.GetNumberOfTriangles();
+  std::vector<Index> duplicates;
+  for (Index t = 0; t < size; ++t)
   {
-    mesh = TriangleMesh(mesh.GetPoints(), surface.Triangles, mesh.GetOrigin());
+    if (firsts[t] != t)
+    {
+      duplicates.push_back(t);
+    }
   }
+  if (duplicates.empty())
+  {
+    return;
+  }
+  // Of each first one, how many face as it does, less those that face the other way.
+  std::vector<int> balances(size, 1);
+  for (const Index t : duplicates)
+  {
+    balances[firsts[t]] += FaceAlike(mesh.GetTriangle(firsts[t]), mesh.GetTriangle(t)) ? 1 : -1;
+  }
+  const std::vector<unsigned char> isFold = FindFolds(mesh, firsts, balances);
+  std::vector<unsigned char> isKept(size, 0);
+  for (Index t = 0; t < size; ++t)
+  {
+    isKept[t] = firsts[t] == t && balances[t] >= 0 && !isFold[t];
+    surface.Counts.FoldTriangles += isFold[firsts[t]];
+  }
+  for (const Index t : duplicates)
+  {
+    // The first of those that face as most do.
+    if (balances[firsts[t]] < 0 && !FaceAlike(mesh.GetTriangle(firsts[t]), mesh.GetTriangle(t)))
+    {
+      isKept[t] = 1;
+      balances[firsts[t]] = 0;
+    }
+  }
+  surface.Counts.DuplicateTriangles = KeepTriangles(surface.Triangles, surface.SourceCells,
+                                        [&](std::size_t t) { return isKept[t] != 0; }) -
+    surface.Counts.FoldTriangles;
+  mesh = TriangleMesh(mesh.GetPoints(), surface.Triangles, mesh.GetOrigin());
 }
 
 //------------------------------------------------------------------------------

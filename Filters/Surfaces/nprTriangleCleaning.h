@@ -19,7 +19,8 @@ vtkIdType DropCollapsedTriangles(PreparedSurface& surface);
 /// not be mended so is dropped. Both are counted.
 void MendNeedles(TriangleMesh& mesh, PreparedSurface& surface);
 
-/// Drops and counts triangles with the same three points as an earlier one.
+/// Of triangles with the same three points keeps one, that faces as most of them do, and of folds
+/// (small flaps whose two sides coincide) none. Both are counted.
 void DropDuplicates(TriangleMesh& mesh, PreparedSurface& surface);
 
 /// Drops points that no triangle uses any more.

@@ -44,6 +44,7 @@ const Count AllCounts[] = {
   { &Counts::DegenerateTriangles, "DegenerateTriangles", "triangles without area dropped" },
   { &Counts::FlippedNeedles, "FlippedNeedles", "needles mended" },
   { &Counts::DuplicateTriangles, "DuplicateTriangles", "duplicate triangles dropped" },
+  { &Counts::FoldTriangles, "FoldTriangles", "triangles of folds dropped" },
   { &Counts::NonManifoldEdges, "NonManifoldEdges", "non-manifold edges" },
   { &Counts::NonManifoldPoints, "NonManifoldPoints", "non-manifold points off these" },
   { &Counts::ReorientedTriangles, "ReorientedTriangles", "triangles reoriented" },

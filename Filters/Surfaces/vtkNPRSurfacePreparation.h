@@ -7,8 +7,9 @@
  * In this order: polygons and strips are triangulated, and cells without a surface dropped;
  * triangles with points that are NaN or infinite dropped; points in the same place welded (all
  * attributes are those of the first, so texture coordinates may differ at seams: shade the original
- * mesh, or set Weld off); triangles without area and duplicates dropped; the surface split where it
- * is no manifold, so that each edge has at most two triangles and each point one fan of them;
+ * mesh, or set Weld off); triangles without area and duplicates dropped, and folds, which are small
+ * flaps whose two sides coincide (decimated scans have them); the surface split where it is no
+ * manifold, so that each edge has at most two triangles and each point one fan of them;
  * triangles oriented alike across edges that have two, with the normals of closed components
  * outside, and open ones left as most of their triangles were; small holes filled, if asked for;
  * and the surface split into smooth patches along its creases, so that normals and curvatures there
@@ -114,8 +115,11 @@ public:
   vtkIdType GetNumberOfDegenerateTriangles() const { return this->Counts.DegenerateTriangles; }
   /// Triangles without area that closed a T-junction, replaced by an edge flip.
   vtkIdType GetNumberOfFlippedNeedles() const { return this->Counts.FlippedNeedles; }
-  /// Triangles dropped because they have the points of an earlier one.
+  /// Triangles dropped because they have the points of another one.
   vtkIdType GetNumberOfDuplicateTriangles() const { return this->Counts.DuplicateTriangles; }
+  /// Triangles dropped because they coincide with one that faces the other way, on a fold of less
+  /// than a thousandth of the area. A larger two-sided sheet, or one by itself, keeps one side.
+  vtkIdType GetNumberOfFoldTriangles() const { return this->Counts.FoldTriangles; }
   /// Triangles turned over.
   vtkIdType GetNumberOfReorientedTriangles() const { return this->Counts.ReorientedTriangles; }
   /// Edges with more than two triangles.

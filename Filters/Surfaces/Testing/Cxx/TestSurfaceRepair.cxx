@@ -305,11 +305,74 @@ void TestThreads(Checks& check, vtkPolyData* mesh, vtkIdType leastHoles)
   }
   check(same, "threads: the same points");
 }
+
+//------------------------------------------------------------------------------
+/// A sphere of 2048 triangles, its points not welded, and more triangles.
+vtkSmartPointer<vtkPolyData> MakeSphereAnd(const std::vector<std::array<Vector3d, 3>>& more)
+{
+  const auto mesh = MakeOctasphere(1.0, 4);
+  for (const auto& triangle : more)
+  {
+    mesh->GetPolys()->InsertNextCell(3);
+    for (const Vector3d& corner : triangle)
+    {
+      mesh->GetPolys()->InsertCellPoint(mesh->GetPoints()->InsertNextPoint(corner.data()));
+    }
+  }
+  return mesh;
+}
+
+void TestFolds(Checks& check)
+{
+  const auto sphere = MakeOctasphere(1.0, 4);
+  std::array<Vector3d, 3> first;
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    sphere->GetPoint(i, first[i].data()); // its triangles are their own points, in order
+  }
+  const auto& [a, b, c] = first;
+  const auto prepare = [&](const char* what, const std::vector<std::array<Vector3d, 3>>& more,
+                         const Expected& expected, vtkIdType triangles, vtkIdType boundary)
+  {
+    vtkNew<vtkNPRSurfacePreparation> preparation;
+    preparation->SplitCreasesOff();
+    preparation->SetInputData(MakeSphereAnd(more));
+    preparation->Update();
+    const auto output = preparation->GetOutput();
+    CheckManifold(check, what, output);
+    check(output->GetNumberOfPolys() == triangles, std::string(what) + ": triangles",
+      static_cast<double>(output->GetNumberOfPolys()));
+    check(preparation->GetNumberOfBoundaryEdges() == boundary, std::string(what) + ": boundary",
+      static_cast<double>(preparation->GetNumberOfBoundaryEdges()));
+    const Expected found = { { "folds", preparation->GetNumberOfFoldTriangles() },
+      { "duplicates", preparation->GetNumberOfDuplicateTriangles() },
+      { "turned", preparation->GetNumberOfReorientedTriangles() } };
+    check(found == expected, std::string(what) + ": counts");
+  };
+  const Vector3d tip = 1.01 * (0.5 * (a + b)).normalized();
+  const Vector3d top = 1.02 * (0.5 * (a + b)).normalized();
+  prepare("a flap of two triangles goes", { { a, b, tip }, { b, a, tip } },
+    { { "folds", 2 }, { "duplicates", 0 }, { "turned", 0 } }, 2048, 0);
+  prepare("a flap of four, too", { { a, b, tip }, { b, a, tip }, { b, top, tip }, { top, b, tip } },
+    { { "folds", 4 }, { "duplicates", 0 }, { "turned", 0 } }, 2048, 0);
+  prepare("a large one keeps a side", { { a, b, 2.0 * tip }, { b, a, 2.0 * tip } },
+    { { "folds", 0 }, { "duplicates", 1 }, { "turned", 0 } }, 2049, 2);
+  prepare("so does one by itself",
+    { { 3.0 * a, 3.0 * b, 3.001 * b }, { 3.0 * b, 3.0 * a, 3.001 * b } },
+    { { "folds", 0 }, { "duplicates", 1 }, { "turned", 0 } }, 2049, 3);
+  prepare("to drop both would open a hole", { { b, a, c } },
+    { { "folds", 0 }, { "duplicates", 1 }, { "turned", 0 } }, 2048, 0);
+  prepare("most face one way", { { b, a, c }, { a, b, c } },
+    { { "folds", 0 }, { "duplicates", 2 }, { "turned", 0 } }, 2048, 0);
+  prepare("most face the other way, and are turned", { { b, a, c }, { b, a, c } },
+    { { "folds", 0 }, { "duplicates", 2 }, { "turned", 1 } }, 2048, 0);
+}
 }
 
 int TestSurfaceRepair(int, char*[])
 {
   Checks check;
+  TestFolds(check);
   TestSheetsAtAnEdge(check);
   TestBoxesAtAnEdge(check);
   TestBowTie(check);
