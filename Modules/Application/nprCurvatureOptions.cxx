@@ -16,6 +16,8 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace npr
@@ -23,6 +25,17 @@ namespace npr
 namespace
 {
 constexpr double SeamTolerance = 1e-6; // of the length scale: the rounding of floats
+
+/// Empty for a radius that can be taken, else why not. What is no number passes no comparison.
+std::string CheckRadius(const std::string& text)
+{
+  char* end = nullptr;
+  const double radius = std::strtod(text.c_str(), &end);
+  const bool isNumber = !text.empty() && *end == '\0';
+  return isNumber && (radius == 0.0 || (radius >= 1.5 && radius <= 40.0))
+    ? ""
+    : "'" + text + "' is neither 0 nor a number from 1.5 to 40";
+}
 }
 
 //------------------------------------------------------------------------------
@@ -47,7 +60,7 @@ void CurvatureOptions::AddTo(CLI::App& command)
     .add_option("--radius", this->Radius,
       "How far the estimate looks, in mean edges, 1.5 to 40; 0 chooses by the noise of the "
       "surface. per-face ignores it: always one ring")
-    ->check(CLI::Range(0.0, 1000.0))
+    ->check(CheckRadius, "0 or 1.5 to 40")
     ->capture_default_str();
   command
     .add_option("--smoothing", this->Smoothing,

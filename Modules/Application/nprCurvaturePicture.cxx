@@ -46,7 +46,7 @@ constexpr Colour Ink = { 0.13, 0.13, 0.15 };
 constexpr Colour FirstInk = { 0.16, 0.17, 0.24 };
 constexpr Colour SecondInk = { 0.80, 0.62, 0.50 };
 constexpr const char* Directions = "directions";
-constexpr double LeastContour = 0.02; // of the picture's height: the specks of a scan draw no line
+constexpr double LeastContour = 0.006; // of the picture's height: the specks of a scan draw no line
 
 /// A quantity that is shown by colours.
 struct Quantity
@@ -84,12 +84,12 @@ void AddDirectionStrength(vtkPolyData* surface)
 }
 
 constexpr Quantity Quantities[] = {
-  { "k1", names::PrincipalCurvature1, "first curvature k1", Quantity::Signed },
-  { "k2", names::PrincipalCurvature2, "second curvature k2", Quantity::Signed },
-  { "mean", names::MeanCurvature, "mean curvature H", Quantity::Signed },
-  { "gaussian", names::GaussianCurvature, "Gaussian curvature K", Quantity::Signed },
+  { "k1", names::PrincipalCurvature1, "first curvature k1 (1/length)", Quantity::Signed },
+  { "k2", names::PrincipalCurvature2, "second curvature k2 (1/length)", Quantity::Signed },
+  { "mean", names::MeanCurvature, "mean curvature H (1/length)", Quantity::Signed },
+  { "gaussian", names::GaussianCurvature, "Gaussian curvature K (1/length²)", Quantity::Signed },
   { "shape-index", names::ShapeIndex, "shape index", Quantity::Shape },
-  { "curvedness", names::Curvedness, "curvedness", Quantity::Positive },
+  { "curvedness", names::Curvedness, "curvedness (1/length)", Quantity::Positive },
 };
 
 vtkSmartPointer<vtkColorTransferFunction> MakeColours(

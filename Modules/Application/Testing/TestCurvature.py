@@ -180,6 +180,8 @@ class TestCurvature(CommandTest):
             (["curvature", self.sphere, "--estimator", "guess"], "guess"),
             (["curvature", self.sphere, "--smoothing", "-1"], "--smoothing"),
             (["curvature", self.sphere, "--radius", "wide"], "--radius"),
+            (["curvature", self.sphere, "--radius", "nan"], "--radius"),
+            (["curvature", self.sphere, "--radius", "1000"], "1.5 to 40"),
         ):
             with self.subTest(words=words[2:]):
                 result = run(*words)
