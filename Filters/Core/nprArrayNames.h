@@ -44,7 +44,8 @@ inline constexpr const char* PreparationCounts = "PreparationCounts"; // 1 tuple
 inline constexpr const char* NeighbourhoodRadius = "NeighbourhoodRadius"; // 1 tuple; edge lengths
 
 // Arrays of lines and strokes.
-inline constexpr const char* LineType = "LineType";           // cells, 1, index into LineTypeNames
+inline constexpr const char* LineType = "LineType";   // cells, 1, index into LineTypeNames
+inline constexpr const char* LineLevel = "LineLevel"; // cells, 1, the field's value on the line
 inline constexpr const char* LineTypeNames = "LineTypeNames"; // field data, strings
 inline constexpr const char* Strength = "Strength";           // points, 1, in [0, 1]
 inline constexpr const char* ArcLength = "ArcLength";         // points, 1, length

@@ -18,12 +18,11 @@ constexpr double LeastCosine =
 }
 
 //------------------------------------------------------------------------------
-FieldAxes::FieldAxes(const LineSurface& surface, const char* name)
-  : Surface(surface), Turns(surface.GetNumberOfHalfEdges())
+FieldAxes::FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes)
+  : Surface(surface), Axes(axes), Turns(surface.GetNumberOfHalfEdges())
 {
   for (int i = 0; i < 3; ++i)
   {
-    this->Axes[i] = surface.GetComponent(name, i);
     this->Normals[i] = surface.GetComponent(names::Normals, i);
   }
   vtkSMPTools::For(0, surface.GetNumberOfHalfEdges(),

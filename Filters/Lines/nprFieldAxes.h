@@ -29,8 +29,9 @@ class VTKNPRFILTERSLINES_EXPORT FieldAxes
 public:
   using Index = TriangleMesh::Index;
 
-  /// \p name is an array of unit vectors that the surface has loaded, as it has its normals.
-  FieldAxes(const LineSurface& surface, const char* name);
+  /// \p axes are the components of unit vectors at the points, or 0 where there is none. They must
+  /// outlive this, as must the surface, which has loaded its normals.
+  FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes);
 
   /// 1 where the axes at the ends of a half-edge point to the same side, -1 where they point to
   /// opposite ones, 0 where they are not comparable.

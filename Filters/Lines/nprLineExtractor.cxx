@@ -89,7 +89,12 @@ LineExtractor::LineExtractor(const LineSurface& surface, const vtkNPRLineDefinit
   }
   if (definition.GetAxes())
   {
-    this->Axes = std::make_unique<FieldAxes>(surface, definition.GetAxes());
+    std::array<const float*, 3> axes;
+    for (int i = 0; i < 3; ++i)
+    {
+      axes[i] = surface.GetComponent(definition.GetAxes(), i);
+    }
+    this->Axes = std::make_unique<FieldAxes>(surface, axes);
   }
   const TriangleMesh& mesh = surface.GetMesh();
   std::vector<signed char> signs(mesh.GetNumberOfPoints());
@@ -108,16 +113,50 @@ LineExtractor::LineExtractor(const LineSurface& surface, const vtkNPRLineDefinit
 }
 
 //------------------------------------------------------------------------------
-std::vector<LineSegment> LineExtractor::Extract(const LineView& view) const
+std::vector<float> LineExtractor::EvaluateField(const LineView& view, float level) const
+{
+  const Index numberOfPoints = this->Surface.GetMesh().GetNumberOfPoints();
+  std::vector<float> field(numberOfPoints);
+  ForBlocks(numberOfPoints,
+    [&](vtkIdType, vtkIdType begin, vtkIdType end)
+    {
+      this->Definition.EvaluateField(this->Surface, view, begin, end, field.data());
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        field[i] -= level;
+      }
+    });
+  return field;
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::SetViewAxes(const LineView& view)
+{
+  const Index numberOfPoints = this->Surface.GetMesh().GetNumberOfPoints();
+  std::array<float*, 3> axes;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->ViewAxes[i].resize(numberOfPoints);
+    axes[i] = this->ViewAxes[i].data();
+  }
+  ForBlocks(numberOfPoints,
+    [&](vtkIdType, vtkIdType begin, vtkIdType end)
+    { this->Definition.EvaluateAxes(this->Surface, view, begin, end, axes); });
+  this->Axes = std::make_unique<FieldAxes>(
+    this->Surface, std::array<const float*, 3>{ axes[0], axes[1], axes[2] });
+}
+
+//------------------------------------------------------------------------------
+std::vector<LineSegment> LineExtractor::Extract(const LineView& view, float level)
 {
   std::vector<LineSegment> segments;
   if (this->Definition.HasField())
   {
-    const Index numberOfPoints = this->Surface.GetMesh().GetNumberOfPoints();
-    std::vector<float> field(numberOfPoints);
-    ForBlocks(numberOfPoints,
-      [&](vtkIdType, vtkIdType begin, vtkIdType end)
-      { this->Definition.EvaluateField(this->Surface, view, begin, end, field.data()); });
+    if (this->Definition.HasViewAxes())
+    {
+      this->SetViewAxes(view);
+    }
+    const std::vector<float> field = this->EvaluateField(view, level);
     this->ExtractField(view, field.data(), segments);
     if (this->Definition.FollowsJumps())
     {
@@ -128,11 +167,11 @@ std::vector<LineSegment> LineExtractor::Extract(const LineView& view) const
   std::vector<LineSegment> edgeSegments;
   if (edges != vtkNPRLineDefinition::NoEdges)
   {
-    this->ExtractEdges(this->Surface.GetSeams(), edgeSegments);
+    this->ExtractEdges(view, this->Surface.GetSeams(), edgeSegments);
   }
   if (edges == vtkNPRLineDefinition::AllEdges)
   {
-    this->ExtractEdges(this->Surface.GetInnerEdges(), edgeSegments);
+    this->ExtractEdges(view, this->Surface.GetInnerEdges(), edgeSegments);
   }
   if (this->Definition.GetLeastRow() > 1.0)
   {
@@ -444,7 +483,8 @@ void LineExtractor::ExtractJumps(const float* field, std::vector<LineSegment>& s
 }
 
 //------------------------------------------------------------------------------
-void LineExtractor::ExtractEdges(const EdgeList& edges, std::vector<LineSegment>& segments) const
+void LineExtractor::ExtractEdges(
+  const LineView& view, const EdgeList& edges, std::vector<LineSegment>& segments) const
 {
   const vtkIdType size = edges.GetNumberOfEdges();
   std::vector<std::vector<LineSegment>> blocks(GetNumberOfBlocks(size));
@@ -452,7 +492,7 @@ void LineExtractor::ExtractEdges(const EdgeList& edges, std::vector<LineSegment>
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       std::vector<float> strength(end - begin, 0.0f);
-      this->Definition.EvaluateEdges(this->Surface, edges, begin, end, strength.data());
+      this->Definition.EvaluateEdges(this->Surface, view, edges, begin, end, strength.data());
       for (vtkIdType i = begin; i < end; ++i)
       {
         if (!(strength[i - begin] > 0.0f))

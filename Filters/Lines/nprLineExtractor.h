@@ -40,8 +40,9 @@ public:
   /// ruled out.
   LineExtractor(const LineSurface& surface, const vtkNPRLineDefinition& definition);
 
-  /// All segments of the lines seen so. Views do not matter to a definition that depends on none.
-  std::vector<LineSegment> Extract(const LineView& view) const;
+  /// All segments of the lines seen so at one level of the field; edges have but one. Views do not
+  /// matter to a definition that depends on none.
+  std::vector<LineSegment> Extract(const LineView& view, float level);
 
   std::size_t GetNumberOfCandidates() const { return this->Candidates.size(); }
 
@@ -58,14 +59,18 @@ private:
   std::array<Index, 2> GetLowAndHigh(Index halfEdge) const;
   Eigen::Vector3f GetNormal(Index point) const;
 
+  std::vector<float> EvaluateField(const LineView& view, float level) const;
+  void SetViewAxes(const LineView& view);
   void ExtractField(
     const LineView& view, const float* field, std::vector<LineSegment>& segments) const;
   void ExtractJumps(const float* field, std::vector<LineSegment>& segments) const;
-  void ExtractEdges(const EdgeList& edges, std::vector<LineSegment>& segments) const;
+  void ExtractEdges(
+    const LineView& view, const EdgeList& edges, std::vector<LineSegment>& segments) const;
 
   const LineSurface& Surface;
   const vtkNPRLineDefinition& Definition;
   std::unique_ptr<FieldAxes> Axes; ///< null where the field has one value
+  std::array<std::vector<float>, 3> ViewAxes;
   std::vector<Index> Candidates;
   std::array<const float*, 3> Normals = { nullptr, nullptr, nullptr };
   std::int64_t FirstVertexKey;

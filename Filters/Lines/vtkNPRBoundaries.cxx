@@ -7,8 +7,8 @@
 vtkStandardNewMacro(vtkNPRBoundaries);
 
 //------------------------------------------------------------------------------
-void vtkNPRBoundaries::EvaluateEdges(const npr::LineSurface&, const npr::EdgeList& edges,
-  vtkIdType begin, vtkIdType end, float* strength) const
+void vtkNPRBoundaries::EvaluateEdges(const npr::LineSurface&, const npr::LineView&,
+  const npr::EdgeList& edges, vtkIdType begin, vtkIdType end, float* strength) const
 {
   for (vtkIdType i = begin; i < end; ++i)
   {

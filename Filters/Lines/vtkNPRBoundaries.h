@@ -26,8 +26,8 @@ public:
   {
     return SeamEdges;
   }
-  void EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges, vtkIdType begin,
-    vtkIdType end, float* strength) const override;
+  void EvaluateEdges(const npr::LineSurface& surface, const npr::LineView& view,
+    const npr::EdgeList& edges, vtkIdType begin, vtkIdType end, float* strength) const override;
 #endif
 
 protected:

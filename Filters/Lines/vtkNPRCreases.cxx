@@ -19,8 +19,8 @@ vtkNPRCreases::vtkNPRCreases()
 }
 
 //------------------------------------------------------------------------------
-void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges,
-  vtkIdType begin, vtkIdType end, float* strength) const
+void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::LineView&,
+  const npr::EdgeList& edges, vtkIdType begin, vtkIdType end, float* strength) const
 {
   const npr::TriangleMesh& mesh = surface.GetMesh();
   const double cosine = std::cos(vtkMath::RadiansFromDegrees(this->Angle));

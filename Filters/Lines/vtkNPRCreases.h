@@ -44,8 +44,8 @@ public:
   {
     return AllEdges;
   }
-  void EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges, vtkIdType begin,
-    vtkIdType end, float* strength) const override;
+  void EvaluateEdges(const npr::LineSurface& surface, const npr::LineView& view,
+    const npr::EdgeList& edges, vtkIdType begin, vtkIdType end, float* strength) const override;
   double GetLeastRow() const override
   {
     return this->LeastEdges;

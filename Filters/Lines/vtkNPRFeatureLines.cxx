@@ -58,9 +58,10 @@ public:
     this->Normals->SetNumberOfComponents(3);
     this->Strength->SetName(npr::names::Strength);
     this->LineType->SetName(npr::names::LineType);
+    this->LineLevel->SetName(npr::names::LineLevel);
   }
 
-  void AddChain(const npr::LineChains& chains, std::size_t chain, int type)
+  void AddChain(const npr::LineChains& chains, std::size_t chain, int type, float level)
   {
     const std::size_t first = chains.Offsets[chain];
     const std::size_t last = chains.Offsets[chain + 1];
@@ -79,6 +80,7 @@ public:
       this->Lines->InsertCellPoint(start);
     }
     this->LineType->InsertNextValue(type);
+    this->LineLevel->InsertNextValue(level);
   }
 
   void Finish(vtkPolyData* output)
@@ -88,6 +90,7 @@ public:
     output->GetPointData()->SetNormals(this->Normals);
     output->GetPointData()->AddArray(this->Strength);
     output->GetCellData()->AddArray(this->LineType);
+    output->GetCellData()->AddArray(this->LineLevel);
   }
 
 private:
@@ -97,6 +100,7 @@ private:
   vtkNew<vtkFloatArray> Normals;
   vtkNew<vtkFloatArray> Strength;
   vtkNew<vtkIntArray> LineType;
+  vtkNew<vtkFloatArray> LineLevel;
 };
 }
 
@@ -109,7 +113,18 @@ public:
     vtkSmartPointer<vtkNPRLineDefinition> Definition;
     vtkMTimeType MTime = 0; // the definition's, when the rest was made
     std::unique_ptr<npr::LineExtractor> Extractor;
-    npr::LineChains Chains;
+    std::vector<float> Levels;
+    std::vector<npr::LineChains> Chains; // for each level, where no view changes them
+    std::vector<npr::LineChains> Extract(
+      const npr::LineView& view, const Eigen::Vector3d& origin) const
+    {
+      std::vector<npr::LineChains> chains;
+      for (const float level : this->Levels)
+      {
+        chains.push_back(npr::JoinSegments(this->Extractor->Extract(view, level), origin));
+      }
+      return chains;
+    }
   };
   std::vector<Entry> Entries;
 
@@ -261,13 +276,34 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
     }
     entry.Extractor = std::make_unique<npr::LineExtractor>(surface, *entry.Definition);
     entry.MTime = entry.Definition->GetMTime();
+    entry.Levels = entry.Definition->HasField() ? entry.Definition->GetLevels(surface)
+                                                : std::vector<float>{ 0.0f };
     if (!entry.Definition->IsViewDependent())
     {
-      entry.Chains =
-        npr::JoinSegments(entry.Extractor->Extract(npr::LineView()), surface.GetMesh().GetOrigin());
+      entry.Chains = entry.Extract(npr::LineView(), surface.GetMesh().GetOrigin());
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRFeatureLines::IsWanted(
+  const npr::LineChains& chains, std::size_t chain, const npr::LineRuler* ruler) const
+{
+  const std::size_t first = chains.Offsets[chain];
+  const std::size_t last = chains.Offsets[chain + 1];
+  float strength = 0.0f;
+  double length = 0.0;
+  for (std::size_t v = first; v < last; ++v)
+  {
+    strength = std::max(strength, chains.Vertices[v].Strength);
+    const std::size_t next = v + 1 < last ? v + 1 : chains.Closed[chain] ? first : v;
+    if (this->MinimumLength > 0.0)
+    {
+      length += ruler->Measure(chains.Vertices[v].Position, chains.Vertices[next].Position);
+    }
+  }
+  return strength >= static_cast<float>(this->MinimumStrength) && length >= this->MinimumLength;
 }
 
 //------------------------------------------------------------------------------
@@ -337,30 +373,22 @@ int vtkNPRFeatureLines::RequestData(
       break;
     }
     const Internals::Entry& entry = internal.Entries[i];
-    npr::LineChains made;
+    std::vector<npr::LineChains> made;
     if (entry.Definition->IsViewDependent())
     {
-      made = npr::JoinSegments(entry.Extractor->Extract(view), origin);
+      made = entry.Extract(view, origin);
     }
-    const npr::LineChains& chains = entry.Definition->IsViewDependent() ? made : entry.Chains;
-    for (std::size_t chain = 0; chain < chains.GetNumberOfChains(); ++chain)
+    const std::vector<npr::LineChains>& levels =
+      entry.Definition->IsViewDependent() ? made : entry.Chains;
+    for (std::size_t level = 0; level < levels.size(); ++level)
     {
-      const std::size_t first = chains.Offsets[chain];
-      const std::size_t last = chains.Offsets[chain + 1];
-      float strength = 0.0f;
-      double length = 0.0;
-      for (std::size_t v = first; v < last; ++v)
+      const npr::LineChains& chains = levels[level];
+      for (std::size_t chain = 0; chain < chains.GetNumberOfChains(); ++chain)
       {
-        strength = std::max(strength, chains.Vertices[v].Strength);
-        const std::size_t next = v + 1 < last ? v + 1 : chains.Closed[chain] ? first : v;
-        if (this->MinimumLength > 0.0)
+        if (this->IsWanted(chains, chain, ruler.get()))
         {
-          length += ruler->Measure(chains.Vertices[v].Position, chains.Vertices[next].Position);
+          lines.AddChain(chains, chain, static_cast<int>(i), entry.Levels[level]);
         }
-      }
-      if (strength >= static_cast<float>(this->MinimumStrength) && length >= this->MinimumLength)
-      {
-        lines.AddChain(chains, chain, static_cast<int>(i));
       }
     }
     this->UpdateProgress(0.5 + 0.5 * static_cast<double>(i + 1) / internal.Entries.size());

@@ -19,7 +19,8 @@
  * Polylines in double precision; a closed one ends with the point it starts with. Each runs through
  * neighbouring triangles or edges with the front (the positive side of its field, or its triangle)
  * on its left, seen from outside. No piece has no length, and none comes twice within one kind.
- * Cell array LineType (index into the field data array LineTypeNames), point arrays Strength
+ * Cell arrays LineType (index into the field data array LineTypeNames) and LineLevel (the value of
+ * the field that the line is at, 0 for most kinds), point arrays Strength
  * (in [0, 1]) and Normals (the surface's).
  *
  * @par Props with a matrix
@@ -42,6 +43,7 @@
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSmartPointer.h>
 
+#include <cstddef>
 #include <memory>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -49,6 +51,11 @@ class vtkCamera;
 class vtkMatrix4x4;
 VTK_ABI_NAMESPACE_END
 class vtkNPRLineDefinition;
+namespace npr
+{
+class LineRuler;
+struct LineChains;
+}
 
 class VTKNPRFILTERSLINES_EXPORT vtkNPRFeatureLines : public vtkPolyDataAlgorithm
 {
@@ -119,6 +126,8 @@ protected:
 
 private:
   bool PrepareSurface(vtkPolyData* input);
+  bool IsWanted(
+    const npr::LineChains& chains, std::size_t chain, const npr::LineRuler* ruler) const;
 
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkMatrix4x4> Matrix;

@@ -65,7 +65,21 @@ vtkNPRLineDefinition* vtkNPRLineDefinition::NewFromName(const char* name)
 void vtkNPRLineDefinition::AddParameter(
   const char* name, const char* description, double& value, double minimum, double maximum)
 {
-  this->Parameters.push_back({ name, description, &value, minimum, maximum });
+  this->Parameters.push_back({ name, description, &value, 1, minimum, maximum, nullptr });
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::AddParameter(
+  const char* name, const char* description, double (&values)[3], double minimum, double maximum)
+{
+  this->Parameters.push_back({ name, description, values, 3, minimum, maximum, nullptr });
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::AddTextParameter(
+  const char* name, const char* description, std::string& text)
+{
+  this->Parameters.push_back({ name, description, nullptr, 0, 0.0, 0.0, &text });
 }
 
 //------------------------------------------------------------------------------
@@ -96,17 +110,49 @@ const char* vtkNPRLineDefinition::GetParameterDescription(int index) const
 }
 
 //------------------------------------------------------------------------------
+int vtkNPRLineDefinition::GetParameterSize(const char* name) const
+{
+  const Parameter* parameter = this->FindParameter(name);
+  return parameter ? parameter->Size : -1;
+}
+
+//------------------------------------------------------------------------------
 bool vtkNPRLineDefinition::SetParameter(const char* name, double value)
+{
+  return this->SetParameter(name, std::vector<double>{ value });
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRLineDefinition::SetParameter(const char* name, const std::vector<double>& values)
 {
   const Parameter* parameter = this->FindParameter(name);
   // Written so that a NaN is refused.
-  if (!parameter || !(value >= parameter->Minimum && value <= parameter->Maximum))
+  if (!parameter || parameter->Text || static_cast<std::size_t>(parameter->Size) != values.size() ||
+    !std::all_of(values.begin(), values.end(),
+      [parameter](double value)
+      { return value >= parameter->Minimum && value <= parameter->Maximum; }))
   {
     return false;
   }
-  if (*parameter->Value != value)
+  if (!std::equal(values.begin(), values.end(), parameter->Values))
   {
-    *parameter->Value = value;
+    std::copy(values.begin(), values.end(), parameter->Values);
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRLineDefinition::SetTextParameter(const char* name, const std::string& text)
+{
+  const Parameter* parameter = this->FindParameter(name);
+  if (!parameter || !parameter->Text)
+  {
+    return false;
+  }
+  if (*parameter->Text != text)
+  {
+    *parameter->Text = text;
     this->Modified();
   }
   return true;
@@ -116,7 +162,15 @@ bool vtkNPRLineDefinition::SetParameter(const char* name, double value)
 double vtkNPRLineDefinition::GetParameter(const char* name) const
 {
   const Parameter* parameter = this->FindParameter(name);
-  return parameter ? *parameter->Value : std::numeric_limits<double>::quiet_NaN();
+  return parameter && parameter->Values ? *parameter->Values
+                                        : std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkNPRLineDefinition::GetTextParameter(const char* name) const
+{
+  const Parameter* parameter = this->FindParameter(name);
+  return parameter && parameter->Text ? *parameter->Text : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -134,6 +188,16 @@ void vtkNPRLineDefinition::BoundField(
 }
 
 //------------------------------------------------------------------------------
+void vtkNPRLineDefinition::EvaluateAxes(const npr::LineSurface&, const npr::LineView&,
+  vtkIdType begin, vtkIdType end, const std::array<float*, 3>& axes) const
+{
+  for (float* component : axes)
+  {
+    std::fill(component + begin, component + end, 0.0f);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkNPRLineDefinition::EvaluateTest(const npr::LineSurface&, const npr::LineView&, const Index*,
   vtkIdType count, const float*, float* test) const
 {
@@ -141,8 +205,8 @@ void vtkNPRLineDefinition::EvaluateTest(const npr::LineSurface&, const npr::Line
 }
 
 //------------------------------------------------------------------------------
-void vtkNPRLineDefinition::EvaluateEdges(const npr::LineSurface&, const npr::EdgeList&,
-  vtkIdType begin, vtkIdType end, float* strength) const
+void vtkNPRLineDefinition::EvaluateEdges(const npr::LineSurface&, const npr::LineView&,
+  const npr::EdgeList&, vtkIdType begin, vtkIdType end, float* strength) const
 {
   std::fill(strength, strength + (end - begin), 0.0f);
 }
@@ -156,6 +220,11 @@ void vtkNPRLineDefinition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewDependent: " << this->IsViewDependent() << "\n";
   for (const Parameter& parameter : this->Parameters)
   {
-    os << indent << parameter.Name << ": " << *parameter.Value << "\n";
+    os << indent << parameter.Name << ":";
+    for (int i = 0; i < parameter.Size; ++i)
+    {
+      os << " " << parameter.Values[i];
+    }
+    os << (parameter.Text ? " " + *parameter.Text : std::string()) << "\n";
   }
 }

@@ -14,6 +14,8 @@
  * never falls on a single point. To add a kind of line, derive from this class and name the new
  * class in the list at the top of vtkNPRLineDefinition.cxx; nothing else knows the kinds.
  *
+ * A field may be drawn at several levels at once: the line is where it has one of them.
+ *
  * Thresholds are numbers without dimension: curvatures are multiplied by the surface's length
  * scale, their derivatives by its square.
  *
@@ -29,6 +31,7 @@
 #include "nprLineSurface.h"
 #endif
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -56,16 +59,24 @@ public:
 
   /// @name Parameters by name
   /// What the command line and style files set; the same values have Set and Get functions of their
-  /// own.
+  /// own. A parameter is either numbers, mostly one, or a text.
   ///@{
   int GetNumberOfParameters() const { return static_cast<int>(this->Parameters.size()); }
   /// Null when the index is out of range.
   const char* GetParameterName(int index) const;
   const char* GetParameterDescription(int index) const;
-  /// False, and nothing is set, when there is no such parameter or the value is out of its range.
+  /// How many numbers a parameter takes; 0 for a text, -1 when there is no such parameter.
+  int GetParameterSize(const char* name) const;
+  /// False, and nothing is set, when there is no such parameter of so many numbers or a value is
+  /// out of its range.
   bool SetParameter(const char* name, double value);
-  /// NaN when there is no such parameter.
+  bool SetParameter(const char* name, const std::vector<double>& values);
+  /// False, and nothing is set, when there is no such text.
+  bool SetTextParameter(const char* name, const std::string& text);
+  /// Its first number; NaN when there is no such parameter.
   double GetParameter(const char* name) const;
+  /// Empty when there is no such text.
+  std::string GetTextParameter(const char* name) const;
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -99,12 +110,17 @@ public:
   {
     return false;
   }
-  /// Writes field[i] for the points begin <= i < end. The line runs where the field is 0, the
-  /// positive side on its left (either way where the field has axes).
+  /// The values of the field that the lines are at, in ascending order. Default is 0 alone.
+  virtual std::vector<float> GetLevels(const npr::LineSurface&) const
+  {
+    return { 0.0f };
+  }
+  /// Writes field[i] for the points begin <= i < end. The line runs where the field has a level,
+  /// the side of higher values on its left (either way where the field has axes).
   virtual void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view,
     vtkIdType begin, vtkIdType end, float* field) const;
   /// Writes 1 or -1 where the field is positive (negative) in every view, else 0. Triangles whose
-  /// three points agree are never looked at.
+  /// three points agree are never looked at. Only for fields whose one level is 0.
   virtual void BoundField(
     const npr::LineSurface& surface, vtkIdType begin, vtkIdType end, signed char* sign) const;
   /// Whether the line also runs where the field jumps: along split edges on whose sides its signs
@@ -120,6 +136,15 @@ public:
   {
     return nullptr;
   }
+  /// Whether the field has axes that change with the view: EvaluateAxes() instead of GetAxes().
+  virtual bool HasViewAxes() const
+  {
+    return false;
+  }
+  /// Writes axes[c][i], c < 3, for the points begin <= i < end: unit vectors in the
+  /// tangent plane; 0 where there is none.
+  virtual void EvaluateAxes(const npr::LineSurface& surface, const npr::LineView& view,
+    vtkIdType begin, vtkIdType end, const std::array<float*, 3>& axes) const;
   /// Whether the field is the derivative along its axes of something that has a maximum on the
   /// line, so that EvaluateTest() is to be given its fall.
   virtual bool IsMaximum() const
@@ -145,8 +170,8 @@ public:
   }
   /// Writes strength[i - begin] for the edges begin <= i < end; those > 0 are accepted. Must be
   /// safe to call from several threads at a time.
-  virtual void EvaluateEdges(const npr::LineSurface& surface, const npr::EdgeList& edges,
-    vtkIdType begin, vtkIdType end, float* strength) const;
+  virtual void EvaluateEdges(const npr::LineSurface& surface, const npr::LineView& view,
+    const npr::EdgeList& edges, vtkIdType begin, vtkIdType end, float* strength) const;
   /// Accepted edges that hang together are left out as noise when they are fewer than this; each of
   /// their points at a border counts as one more.
   virtual double GetLeastRow() const
@@ -160,18 +185,26 @@ protected:
   vtkNPRLineDefinition() = default;
   ~vtkNPRLineDefinition() override = default;
 
-  /// Makes a member a parameter that can be set by its name. Names and texts must be literals.
+  /// @name Makes a member a parameter that can be set by its name
+  /// Names and descriptions must be literals.
+  ///@{
   void AddParameter(
     const char* name, const char* description, double& value, double minimum, double maximum);
+  void AddParameter(
+    const char* name, const char* description, double (&values)[3], double minimum, double maximum);
+  void AddTextParameter(const char* name, const char* description, std::string& text);
+  ///@}
 
 private:
   struct Parameter
   {
     const char* Name;
     const char* Description;
-    double* Value;
+    double* Values; // null for a text
+    int Size;
     double Minimum;
     double Maximum;
+    std::string* Text;
   };
   const Parameter* FindParameter(const char* name) const;
   std::vector<Parameter> Parameters;
