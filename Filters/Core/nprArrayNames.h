@@ -46,9 +46,14 @@ inline constexpr const char* NeighbourhoodRadius = "NeighbourhoodRadius"; // 1 t
 // Arrays of lines and strokes.
 inline constexpr const char* LineType = "LineType";   // cells, 1, index into LineTypeNames
 inline constexpr const char* LineLevel = "LineLevel"; // cells, 1, the field's value on the line
+/// A line's number: that of the line at its place in the view before, where there was one.
+inline constexpr const char* ChainId = "ChainId";             // cells, 1
 inline constexpr const char* LineTypeNames = "LineTypeNames"; // field data, strings
 inline constexpr const char* Strength = "Strength";           // points, 1, in [0, 1]
 inline constexpr const char* ArcLength = "ArcLength";         // points, 1, length
+inline constexpr const char* ViewDistance = "ViewDistance";   // points, 1, length in the world
+inline constexpr const char* SourceCell = "SourceCell";       // points, 1, a cell of the surface
+inline constexpr const char* SourceEdge = "SourceEdge";       // points, 2, points of the surface
 inline constexpr const char* Visibility = "Visibility";       // points, 1, in [0, 1]
 inline constexpr const char* Width = "Width";                 // points, 1, pixels
 }

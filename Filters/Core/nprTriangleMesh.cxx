@@ -82,6 +82,14 @@ TriangleMesh::TriangleMesh(
 }
 
 //------------------------------------------------------------------------------
+void TriangleMesh::MovePoints(std::vector<Vector> points, const Eigen::Vector3d& origin)
+{
+  this->Points = std::move(points);
+  this->Origin = origin;
+  this->MeasurePoints();
+}
+
+//------------------------------------------------------------------------------
 void TriangleMesh::ReadPoints(vtkPolyData* surface)
 {
   const vtkIdType numberOfPoints = surface->GetNumberOfPoints();

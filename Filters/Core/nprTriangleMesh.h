@@ -55,6 +55,8 @@ public:
   /// by it are exact, and products of several neither vanish nor overflow in single precision,
   /// whatever the unit of the coordinates.
   float GetUnit() const { return this->Unit; }
+  /// Whether all coordinates are numbers.
+  bool HasFinitePoints() const { return this->IsFinite; }
   /// The cell of the vtkPolyData that the triangle is.
   vtkIdType GetCellId(Index triangle) const
   {
@@ -71,6 +73,9 @@ public:
   /// shape alone, not on its tessellation, place or rotation. Zero without area.
   double ComputeLengthScale() const;
 
+  /// Takes other points, as many as there are, and leaves the triangles and their adjacency.
+  void MovePoints(std::vector<Vector> points, const Eigen::Vector3d& origin);
+
   /// Turns the triangle over: swaps its last two corners, and its neighbours where they are built.
   void Flip(Index triangle);
 
@@ -80,6 +85,8 @@ public:
   void BuildNeighbours();
   /// The triangle across edge e, or Boundary or NonManifold.
   Index GetNeighbour(Index triangle, int edge) const { return this->Neighbours[triangle][edge]; }
+  /// Gives back their memory.
+  void ReleaseNeighbours() { std::vector<Triangle>().swap(this->Neighbours); }
 
   void BuildIncidence();
   /// The triangles around a point, in ascending order: [Begin, End).

@@ -18,20 +18,25 @@ constexpr double LeastCosine =
 }
 
 //------------------------------------------------------------------------------
-FieldAxes::FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes)
-  : Surface(surface), Axes(axes), Turns(surface.GetNumberOfHalfEdges())
+FieldAxes::FieldAxes(const LineSurface& surface) : Surface(surface)
 {
   for (int i = 0; i < 3; ++i)
   {
     this->Normals[i] = surface.GetComponent(names::Normals, i);
   }
-  vtkSMPTools::For(0, surface.GetNumberOfHalfEdges(),
+}
+
+//------------------------------------------------------------------------------
+void FieldAxes::Compare()
+{
+  this->Turns.resize(this->Surface.GetNumberOfHalfEdges());
+  vtkSMPTools::For(0, this->Surface.GetNumberOfHalfEdges(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (Index h = static_cast<Index>(begin); h < end; ++h)
       {
-        const Index start = surface.GetStart(h);
-        const Index stop = surface.GetEnd(h);
+        const Index start = this->Surface.GetStart(h);
+        const Index stop = this->Surface.GetEnd(h);
         // In one order, so that both half-edges of an edge round alike.
         this->Turns[h] =
           static_cast<signed char>(this->Compare(std::min(start, stop), std::max(start, stop)));
@@ -64,44 +69,49 @@ int FieldAxes::Compare(Index a, Index b) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> FieldAxes::ComputeFall(const float* field) const
+int FieldAxes::CompareQuickly(Index halfEdge) const
+{
+  const Index a = this->Surface.GetStart(halfEdge);
+  const Index b = this->Surface.GetEnd(halfEdge);
+  const double cosine = this->GetAxis(a).dot(this->GetAxis(b));
+  return cosine > LeastCosine ? 1 : cosine < -LeastCosine ? -1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void FieldAxes::ComputeFall(
+  const float* field, const std::vector<Index>& points, std::vector<float>& fall) const
 {
   const TriangleMesh& mesh = this->Surface.GetMesh();
-  std::vector<float> fall(mesh.GetNumberOfPoints());
-  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Index point = points[i];
+    double sum = 0.0;
+    double area = 0.0;
+    const Eigen::Vector3d axis = this->GetAxis(point);
+    for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
     {
-      for (Index point = static_cast<Index>(begin); point < end; ++point)
+      const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
+      const int here = c[0] == point ? 0 : c[1] == point ? 1 : 2;
+      const Index b = c[(here + 1) % 3];
+      const Index d = c[(here + 2) % 3];
+      const int turnB = this->GetTurn(3 * *t + here);
+      const int turnD = this->GetTurn(3 * *t + (here + 2) % 3);
+      const Eigen::Vector3d toB = (mesh.GetPoint(b) - mesh.GetPoint(point)).cast<double>();
+      const Eigen::Vector3d toD = (mesh.GetPoint(d) - mesh.GetPoint(point)).cast<double>();
+      const Eigen::Vector3d normal = toB.cross(toD);
+      const double size = normal.norm();
+      if (turnB == 0 || turnD == 0 || !(size > 0.0))
       {
-        double sum = 0.0;
-        double area = 0.0;
-        const Eigen::Vector3d axis = this->GetAxis(point);
-        for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
-        {
-          const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
-          const int here = c[0] == point ? 0 : c[1] == point ? 1 : 2;
-          const Index b = c[(here + 1) % 3];
-          const Index d = c[(here + 2) % 3];
-          const int turnB = this->Turns[3 * *t + here];
-          const int turnD = this->Turns[3 * *t + (here + 2) % 3];
-          const Eigen::Vector3d toB = (mesh.GetPoint(b) - mesh.GetPoint(point)).cast<double>();
-          const Eigen::Vector3d toD = (mesh.GetPoint(d) - mesh.GetPoint(point)).cast<double>();
-          const Eigen::Vector3d normal = toB.cross(toD);
-          const double size = normal.norm();
-          if (turnB == 0 || turnD == 0 || !(size > 0.0))
-          {
-            continue;
-          }
-          // The gradient of the linear field in the triangle, times twice its area.
-          const double riseB = double(field[b]) * turnB - field[point];
-          const double riseD = double(field[d]) * turnD - field[point];
-          const Eigen::Vector3d gradient = (riseB * toD - riseD * toB).cross(normal) / size;
-          sum -= gradient.dot(axis);
-          area += size;
-        }
-        fall[point] = area > 0.0 ? static_cast<float>(sum / area) : 0.0f;
+        continue;
       }
-    });
-  return fall;
+      // The gradient of the linear field in the triangle, times twice its area.
+      const double riseB = double(field[b]) * turnB - field[point];
+      const double riseD = double(field[d]) * turnD - field[point];
+      const Eigen::Vector3d gradient = (riseB * toD - riseD * toB).cross(normal) / size;
+      sum -= gradient.dot(axis);
+      area += size;
+    }
+    fall[i] = area > 0.0 ? static_cast<float>(sum / area) : 0.0f;
+  }
 }
 }

@@ -29,13 +29,20 @@ class VTKNPRFILTERSLINES_EXPORT FieldAxes
 public:
   using Index = TriangleMesh::Index;
 
-  /// \p axes are the components of unit vectors at the points, or 0 where there is none. They must
-  /// outlive this, as must the surface, which has loaded its normals.
-  FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes);
+  /// The surface, which has loaded its normals, must outlive this.
+  explicit FieldAxes(const LineSurface& surface);
+
+  /// The components of the axes at the points, unit vectors, or 0 where there is none.
+  void SetVectors(const std::array<const float*, 3>& axes) { this->Axes = axes; }
+  /// Compares axes that no view changes, once for all.
+  void Compare();
 
   /// 1 where the axes at the ends of a half-edge point to the same side, -1 where they point to
   /// opposite ones, 0 where they are not comparable.
-  int GetTurn(Index halfEdge) const { return this->Turns[halfEdge]; }
+  int GetTurn(Index halfEdge) const
+  {
+    return this->Turns.empty() ? this->CompareQuickly(halfEdge) : this->Turns[halfEdge];
+  }
 
   /// On which side of its axis a point's value lies. A value of exactly 0 counts as if it lay
   /// slightly off, always to the same side in space.
@@ -49,25 +56,30 @@ public:
   {
     const bool same = this->IsPositive(this->Surface.GetStart(halfEdge), field) ==
       this->IsPositive(this->Surface.GetEnd(halfEdge), field);
-    return this->Turns[halfEdge] != 0 && same == (this->Turns[halfEdge] < 0);
+    const int turn = this->GetTurn(halfEdge);
+    return turn != 0 && same == (turn < 0);
   }
 
-  /// For each point how fast the field falls along the axis: minus its derivative, a mean over the
+  /// For some points how fast the field falls along the axis: minus its derivative, a mean over the
   /// triangles at the point by their areas. 0 where no axes are comparable.
-  std::vector<float> ComputeFall(const float* field) const;
+  void ComputeFall(
+    const float* field, const std::vector<Index>& points, std::vector<float>& fall) const;
 
 private:
   bool IsForward(Index point) const;
   int Compare(Index a, Index b) const;
+  /// In the plane of the axes themselves: near enough between neighbours whose axes change in every
+  /// view.
+  int CompareQuickly(Index halfEdge) const;
   Eigen::Vector3d GetAxis(Index point) const
   {
     return { this->Axes[0][point], this->Axes[1][point], this->Axes[2][point] };
   }
 
   const LineSurface& Surface;
-  std::array<const float*, 3> Axes;
+  std::array<const float*, 3> Axes = { nullptr, nullptr, nullptr };
   std::array<const float*, 3> Normals;
-  std::vector<signed char> Turns;
+  std::vector<signed char> Turns; // empty where axes are compared when asked for
 };
 }
 

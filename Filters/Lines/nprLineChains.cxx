@@ -2,164 +2,240 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprLineChains.h"
 
+#include "nprArrayNames.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
-#include <utility>
+
+#include <Eigen/Geometry>
 
 namespace npr
 {
 namespace
 {
-// End 2 * s + i is vertex i of segment s.
-using End = std::int32_t;
-constexpr End Free = -1;
+using Index = TriangleMesh::Index;
 
-std::vector<End> FindMates(const std::vector<LineSegment>& segments)
+float Smooth(float x)
 {
-  std::vector<std::pair<std::int64_t, End>> ends(2 * segments.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ends.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        ends[i] = { segments[i / 2].Keys[i % 2], static_cast<End>(i) };
-      }
-    });
-  vtkSMPTools::Sort(ends.begin(), ends.end());
-  std::vector<End> mates(ends.size(), Free);
-  for (std::size_t i = 0; i < ends.size();)
-  {
-    std::size_t last = i + 1;
-    while (last < ends.size() && ends[last].first == ends[i].first)
-    {
-      ++last;
-    }
-    if (last - i == 2)
-    {
-      mates[ends[i].second] = ends[i + 1].second;
-      mates[ends[i + 1].second] = ends[i].second;
-    }
-    i = last;
-  }
-  return mates;
+  x = std::min(std::max(x, 0.0f), 1.0f);
+  return x * x * (3.0f - 2.0f * x);
 }
 
-class Joiner
+// Vertices of segments, at their ends.
+class Vertices
 {
 public:
-  Joiner(const std::vector<LineSegment>& segments, const Eigen::Vector3d& origin)
-    : Segments(segments), Origin(origin), Mates(FindMates(segments)),
-      Visited(segments.size(), false)
+  Vertices(const LineSurface& surface, const LineSegments& segments)
+    : Surface(surface), Segments(segments)
   {
+    if (surface.HasArray(names::Normals))
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        this->Normals[i] = surface.GetComponent(names::Normals, i);
+      }
+    }
   }
 
-  LineChains Run()
+  struct Vertex
   {
-    for (End end = 0; end < static_cast<End>(this->Mates.size()); ++end)
-    {
-      if (this->Mates[end] == Free && !this->Visited[end / 2])
-      {
-        this->Trace(end);
-        this->Write(false);
-      }
-    }
-    for (End end = 0; end < static_cast<End>(this->Mates.size()); end += 2)
-    {
-      if (!this->Visited[end / 2])
-      {
-        this->Trace(end);
-        this->Write(true);
-      }
-    }
-    return std::move(this->Chains);
+    Eigen::Vector3d Position;
+    Eigen::Vector3f Normal;
+    float Strength;
+    LineNode Node;
+    Index Triangle;
+  };
+
+  Vertex Get(LinePaths::End end) const
+  {
+    const std::size_t segment = end / 2;
+    const std::size_t crossings = this->Segments.Crossings.size();
+    return segment < crossings
+      ? this->GetOfCrossing(this->Segments.Crossings[segment], end % 2)
+      : this->GetOfPiece(this->Segments.Pieces[segment - crossings], end % 2);
   }
 
 private:
-  // Follows the chain whose first vertex is at `end`; Path gets the end that each segment is
-  // entered by.
-  void Trace(End end)
+  Eigen::Vector3f GetNormal(Index point) const
   {
-    this->Path.clear();
-    std::size_t forward = 0;
-    while (end != Free && !this->Visited[end / 2])
+    return { this->Normals[0][point], this->Normals[1][point], this->Normals[2][point] };
+  }
+
+  Eigen::Vector3d GetPosition(const LineNode& node) const
+  {
+    const Eigen::Vector3d from = this->Surface.GetMesh().GetPoint(node.From).cast<double>();
+    const Eigen::Vector3d to = this->Surface.GetMesh().GetPoint(node.To).cast<double>();
+    return from + double(node.T) * (to - from);
+  }
+
+  Vertex GetOfNode(const LineCrossing& crossing, int end) const
+  {
+    Vertex vertex;
+    vertex.Node = crossing.GetNode(this->Surface, end);
+    vertex.Position = this->GetPosition(vertex.Node);
+    vertex.Normal.setZero();
+    if (this->Normals[0])
     {
-      this->Visited[end / 2] = true;
-      this->Path.push_back(end);
-      forward += end % 2 == 0;
-      end = this->Mates[end ^ 1];
+      const Eigen::Vector3f normal = this->GetNormal(vertex.Node.From);
+      vertex.Normal =
+        (normal + vertex.Node.T * (this->GetNormal(vertex.Node.To) - normal)).normalized();
     }
-    if (2 * forward < this->Path.size())
+    vertex.Strength = Smooth(crossing.Test[end]);
+    vertex.Triangle = crossing.Triangle;
+    return vertex;
+  }
+
+  Vertex GetOfCrossing(const LineCrossing& crossing, int end) const
+  {
+    Vertex vertex = this->GetOfNode(crossing, end);
+    if (crossing.IsCut(end))
     {
-      std::reverse(this->Path.begin(), this->Path.end());
-      for (End& entry : this->Path)
+      // The line ends in this triangle, where the test turns.
+      const Vertex inside = this->GetOfNode(crossing, 1 - end);
+      const double s = crossing.Test[end] / (double(crossing.Test[end]) - crossing.Test[1 - end]);
+      vertex.Position += s * (inside.Position - vertex.Position);
+      vertex.Normal += static_cast<float>(s) * (inside.Normal - vertex.Normal);
+      vertex.Normal.normalize();
+      vertex.Strength = 0.0f;
+    }
+    return vertex;
+  }
+
+  // The normal is the mean of those of the triangles on the edge.
+  Vertex GetOfPiece(const LinePiece& piece, int end) const
+  {
+    Vertex vertex;
+    vertex.Node = piece.Nodes[end];
+    vertex.Position = this->GetPosition(vertex.Node);
+    vertex.Normal.setZero();
+    for (const Index* side = piece.Sides; side != piece.SidesEnd; ++side)
+    {
+      if (this->Normals[0])
       {
-        entry ^= 1;
+        const auto [low, high] = this->Surface.GetLowAndHigh(*side);
+        const Eigen::Vector3f normal = this->GetNormal(low);
+        vertex.Normal += normal + piece.FromLow[end] * (this->GetNormal(high) - normal);
+      }
+      else
+      {
+        vertex.Normal += this->Surface.GetMesh().GetAreaNormal(*side / 3).normalized();
       }
     }
+    vertex.Normal.normalize();
+    vertex.Strength = piece.Strength;
+    vertex.Triangle = *piece.Sides / 3;
+    return vertex;
   }
 
-  const LineVertex& Get(End end) const { return this->Segments[end / 2].Vertices[end % 2]; }
-
-  bool AtOnePlace(const LineVertex& a, const LineVertex& b) const
-  {
-    return this->Origin + a.Position == this->Origin + b.Position;
-  }
-
-  void Append(const LineVertex& vertex)
-  {
-    std::vector<LineVertex>& vertices = this->Chains.Vertices;
-    if (vertices.size() > this->Chains.Offsets.back() && this->AtOnePlace(vertices.back(), vertex))
-    {
-      vertices.back().Normal += vertex.Normal;
-    }
-    else
-    {
-      vertices.push_back(vertex);
-    }
-  }
-
-  void Write(bool closed)
-  {
-    std::vector<LineVertex>& vertices = this->Chains.Vertices;
-    const std::size_t first = this->Chains.Offsets.back();
-    for (End entry : this->Path)
-    {
-      this->Append(this->Get(entry));
-      this->Append(this->Get(entry ^ 1));
-    }
-    if (closed && vertices.size() - first > 1 && this->AtOnePlace(vertices[first], vertices.back()))
-    {
-      vertices[first].Normal += vertices.back().Normal;
-      vertices.pop_back();
-    }
-    const std::size_t size = vertices.size() - first;
-    if (size < 2)
-    {
-      vertices.resize(first);
-      return;
-    }
-    for (std::size_t i = first; i < vertices.size(); ++i)
-    {
-      vertices[i].Normal.normalize();
-    }
-    this->Chains.Offsets.push_back(vertices.size());
-    // There and back between two places is one piece, not a loop.
-    this->Chains.Closed.push_back(closed && size > 2);
-  }
-
-  const std::vector<LineSegment>& Segments;
-  const Eigen::Vector3d Origin;
-  const std::vector<End> Mates;
-  std::vector<bool> Visited;
-  std::vector<End> Path;
-  LineChains Chains;
+  const LineSurface& Surface;
+  const LineSegments& Segments;
+  std::array<const float*, 3> Normals = { nullptr, nullptr, nullptr };
 };
 }
 
 //------------------------------------------------------------------------------
-LineChains JoinSegments(const std::vector<LineSegment>& segments, const Eigen::Vector3d& origin)
+void LineChains::Make(const LineSurface& surface, const LineSegments& segments,
+  const LinePaths& paths, bool findSources)
 {
-  return Joiner(segments, origin).Run();
+  this->Begins.assign(paths.Offsets.begin(), std::prev(paths.Offsets.end()));
+  this->Ends.assign(std::next(paths.Offsets.begin()), paths.Offsets.end());
+  this->Closed = paths.Closed;
+  this->Levels.assign(this->Begins.size(), 0);
+  for (std::size_t chain = 0; chain < this->Begins.size(); ++chain)
+  {
+    const std::size_t segment = paths.Ends[this->Begins[chain]] / 2;
+    if (segment < segments.Crossings.size())
+    {
+      this->Levels[chain] = segments.Crossings[segment].Level;
+    }
+  }
+  this->SetVertices(surface, segments, paths, findSources);
+  this->MergePlaces(surface.GetMesh().GetOrigin());
+}
+
+//------------------------------------------------------------------------------
+void LineChains::SetVertices(const LineSurface& surface, const LineSegments& segments,
+  const LinePaths& paths, bool findSources)
+{
+  const std::size_t size = paths.Ends.size();
+  this->Positions.resize(size);
+  this->Normals.resize(size);
+  this->Strengths.resize(size);
+  this->Triangles.resize(size);
+  this->SourceCells.resize(findSources ? size : 0);
+  this->SourceEdges.resize(findSources ? size : 0);
+  const Vertices vertices(surface, segments);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Vertices::Vertex vertex = vertices.Get(paths.Ends[i]);
+        this->Positions[i] = vertex.Position;
+        this->Normals[i] = vertex.Normal;
+        this->Strengths[i] = vertex.Strength;
+        this->Triangles[i] = vertex.Triangle;
+        if (findSources)
+        {
+          this->SourceCells[i] = surface.GetCellId(vertex.Triangle);
+          this->SourceEdges[i] = { surface.GetPointId(vertex.Node.From),
+            surface.GetPointId(vertex.Node.To) };
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Places are compared as they will be written, with the origin added.
+void LineChains::MergePlaces(const Eigen::Vector3d& origin)
+{
+  const auto isAtOnePlace = [&](std::size_t a, std::size_t b)
+  { return origin + this->Positions[a] == origin + this->Positions[b]; };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Begins.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType chain = first; chain < last; ++chain)
+      {
+        const std::size_t begin = this->Begins[chain];
+        std::size_t kept = begin;
+        for (std::size_t i = begin + 1; i < this->Ends[chain]; ++i)
+        {
+          if (isAtOnePlace(kept, i))
+          {
+            this->Normals[kept] += this->Normals[i];
+            continue;
+          }
+          if (++kept != i)
+          {
+            this->Positions[kept] = this->Positions[i];
+            this->Normals[kept] = this->Normals[i];
+            this->Strengths[kept] = this->Strengths[i];
+            this->Triangles[kept] = this->Triangles[i];
+            if (!this->SourceCells.empty())
+            {
+              this->SourceCells[kept] = this->SourceCells[i];
+              this->SourceEdges[kept] = this->SourceEdges[i];
+            }
+          }
+        }
+        if (this->Closed[chain] && kept > begin && isAtOnePlace(begin, kept))
+        {
+          this->Normals[begin] += this->Normals[kept];
+          --kept;
+        }
+        if (kept + 1 != this->Ends[chain])
+        {
+          for (std::size_t i = begin; i <= kept; ++i)
+          {
+            this->Normals[i].normalize();
+          }
+        }
+        const std::size_t size = kept + 1 - begin;
+        this->Ends[chain] = size < 2 ? begin : kept + 1;
+        // There and back between two places is one piece, not a loop.
+        this->Closed[chain] = this->Closed[chain] && size > 2;
+      }
+    });
 }
 }

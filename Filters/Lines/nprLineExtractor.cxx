@@ -2,90 +2,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprLineExtractor.h"
 
-#include "nprArrayNames.h"
+#include "nprEdgePieces.h"
+#include "nprHermite.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
-
-#include <Eigen/Geometry>
 
 namespace npr
 {
 namespace
 {
-// Large enough that a virtual call a block costs nothing, small enough to balance the threads.
-constexpr vtkIdType BlockSize = 8192;
+using Index = LineExtractor::Index;
+constexpr Index GroupsOfPart = 4;
 
-// Calls work(block, begin, end) for the blocks of [0, size), in parallel.
-template<typename Work>
-void ForBlocks(vtkIdType size, const Work& work)
+// Calls work(i) for all elements, in parallel.
+template<typename Elements, typename Work>
+void ForEach(Elements& elements, const Work& work)
 {
-  const vtkIdType blocks = (size + BlockSize - 1) / BlockSize;
-  vtkSMPTools::For(0, blocks, 1,
-    [&](vtkIdType first, vtkIdType last)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(elements.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType block = first; block < last; ++block)
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        work(block, block * BlockSize, std::min(size, (block + 1) * BlockSize));
+        work(static_cast<Index>(i));
       }
     });
 }
-
-template<typename T>
-void AppendBlocks(const std::vector<std::vector<T>>& blocks, std::vector<T>& result)
-{
-  std::size_t size = result.size();
-  for (const std::vector<T>& block : blocks)
-  {
-    size += block.size();
-  }
-  result.reserve(size);
-  for (const std::vector<T>& block : blocks)
-  {
-    result.insert(result.end(), block.begin(), block.end());
-  }
 }
-
-vtkIdType GetNumberOfBlocks(vtkIdType size)
-{
-  return (size + BlockSize - 1) / BlockSize;
-}
-
-float Smooth(float x)
-{
-  x = std::min(std::max(x, 0.0f), 1.0f);
-  return x * x * (3.0f - 2.0f * x);
-}
-}
-
-// A point on an edge: From + T (To - From), as far as Position says.
-struct LineExtractor::Node
-{
-  std::int64_t Key;
-  Index From;
-  Index To;
-  double T;
-};
 
 //------------------------------------------------------------------------------
-LineExtractor::LineExtractor(const LineSurface& surface, const vtkNPRLineDefinition& definition)
-  : Surface(surface), Definition(definition), FirstVertexKey(surface.GetNumberOfHalfEdges()),
-    FirstCutKey(FirstVertexKey + surface.GetMesh().GetNumberOfPoints())
+LineExtractor::LineExtractor(
+  const LineSurface& surface, const LineClusters& clusters, const vtkNPRLineDefinition& definition)
+  : Surface(surface), Clusters(clusters), Definition(definition), Levels({ 0.0f })
 {
-  if (surface.HasArray(names::Normals))
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Normals[i] = surface.GetComponent(names::Normals, i);
-    }
-  }
   if (!definition.HasField())
   {
     return;
+  }
+  this->Levels = definition.GetLevels(surface);
+  std::sort(this->Levels.begin(), this->Levels.end());
+  if (definition.GetAxes() || definition.HasViewAxes())
+  {
+    this->Axes = std::make_unique<FieldAxes>(surface);
   }
   if (definition.GetAxes())
   {
@@ -94,416 +57,417 @@ LineExtractor::LineExtractor(const LineSurface& surface, const vtkNPRLineDefinit
     {
       axes[i] = surface.GetComponent(definition.GetAxes(), i);
     }
-    this->Axes = std::make_unique<FieldAxes>(surface, axes);
+    this->Axes->SetVectors(axes);
+    this->Axes->Compare();
   }
-  const TriangleMesh& mesh = surface.GetMesh();
+  const auto slopeArrays = definition.GetSlopeArrays();
+  this->HasSlopes = !slopeArrays.empty() &&
+    std::all_of(slopeArrays.begin(), slopeArrays.end(),
+      [&surface](const auto& array) { return surface.HasArray(array.Name); });
+  this->Parts.resize((clusters.GetNumberOfGroups() + GroupsOfPart - 1) / GroupsOfPart);
+  this->FindCandidates();
+}
+
+//------------------------------------------------------------------------------
+LineExtractor::~LineExtractor() = default;
+
+//------------------------------------------------------------------------------
+void LineExtractor::FindCandidates()
+{
+  if (this->Levels.size() != 1 || this->Levels[0] != 0.0f)
+  {
+    return;
+  }
+  const TriangleMesh& mesh = this->Surface.GetMesh();
   std::vector<signed char> signs(mesh.GetNumberOfPoints());
-  ForBlocks(mesh.GetNumberOfPoints(),
-    [&](vtkIdType, vtkIdType begin, vtkIdType end)
-    { definition.BoundField(surface, begin, end, signs.data()); });
-  for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    { this->Definition.BoundField(this->Surface, begin, end, signs.data()); });
+  this->HasCandidates =
+    std::any_of(signs.begin(), signs.end(), [](signed char sign) { return sign != 0; });
+  if (!this->HasCandidates)
   {
-    const TriangleMesh::Triangle& c = mesh.GetTriangle(t);
-    const signed char sign = signs[c[0]];
-    if (sign == 0 || signs[c[1]] != sign || signs[c[2]] != sign)
-    {
-      this->Candidates.push_back(t);
-    }
+    return;
   }
-}
-
-//------------------------------------------------------------------------------
-std::vector<float> LineExtractor::EvaluateField(const LineView& view, float level) const
-{
-  const Index numberOfPoints = this->Surface.GetMesh().GetNumberOfPoints();
-  std::vector<float> field(numberOfPoints);
-  ForBlocks(numberOfPoints,
-    [&](vtkIdType, vtkIdType begin, vtkIdType end)
+  this->CandidateOffsets.assign(1, 0);
+  for (Index cluster = 0; cluster < this->Clusters.GetNumberOfClusters(); ++cluster)
+  {
+    for (Index t = this->Clusters.GetFirstTriangle(cluster);
+         t < this->Clusters.GetTriangleEnd(cluster); ++t)
     {
-      this->Definition.EvaluateField(this->Surface, view, begin, end, field.data());
-      for (vtkIdType i = begin; i < end; ++i)
+      const TriangleMesh::Triangle& c = mesh.GetTriangle(t);
+      const signed char sign = signs[c[0]];
+      if (sign == 0 || signs[c[1]] != sign || signs[c[2]] != sign)
       {
-        field[i] -= level;
+        this->Candidates.push_back(t);
       }
-    });
-  return field;
-}
-
-//------------------------------------------------------------------------------
-void LineExtractor::SetViewAxes(const LineView& view)
-{
-  const Index numberOfPoints = this->Surface.GetMesh().GetNumberOfPoints();
-  std::array<float*, 3> axes;
-  for (int i = 0; i < 3; ++i)
-  {
-    this->ViewAxes[i].resize(numberOfPoints);
-    axes[i] = this->ViewAxes[i].data();
+    }
+    this->CandidateOffsets.push_back(static_cast<Index>(this->Candidates.size()));
   }
-  ForBlocks(numberOfPoints,
-    [&](vtkIdType, vtkIdType begin, vtkIdType end)
-    { this->Definition.EvaluateAxes(this->Surface, view, begin, end, axes); });
-  this->Axes = std::make_unique<FieldAxes>(
-    this->Surface, std::array<const float*, 3>{ axes[0], axes[1], axes[2] });
 }
 
 //------------------------------------------------------------------------------
-std::vector<LineSegment> LineExtractor::Extract(const LineView& view, float level)
+void LineExtractor::Extract(
+  const LineView& view, const LineOptions& options, FieldValues& values, LineSegments& segments)
 {
-  std::vector<LineSegment> segments;
+  segments.Crossings.clear();
+  segments.Pieces.clear();
   if (this->Definition.HasField())
   {
-    if (this->Definition.HasViewAxes())
-    {
-      this->SetViewAxes(view);
-    }
-    const std::vector<float> field = this->EvaluateField(view, level);
-    this->ExtractField(view, field.data(), segments);
+    values.Start(this->Definition, view, this->Levels, this->Axes.get());
     if (this->Definition.FollowsJumps())
     {
-      this->ExtractJumps(field.data(), segments);
+      this->RequireSeams(values);
+    }
+    if (options.Strategy == LineStrategy::Random && this->Definition.IsViewDependent())
+    {
+      values.Evaluate();
+      this->FindCrossedAtRandom(options.SeedShare, values);
+    }
+    else
+    {
+      this->FindClusters(view, options.Strategy, values);
+      values.Evaluate();
+      this->FindCrossed(values);
+    }
+    this->MakeCrossings(view, options.UseSlopes, values, segments);
+    if (this->Definition.FollowsJumps())
+    {
+      AddJumpPieces(this->Surface, values, segments.Pieces);
     }
   }
-  const vtkNPRLineDefinition::EdgeKind edges = this->Definition.GetEdges();
-  std::vector<LineSegment> edgeSegments;
-  if (edges != vtkNPRLineDefinition::NoEdges)
-  {
-    this->ExtractEdges(view, this->Surface.GetSeams(), edgeSegments);
-  }
-  if (edges == vtkNPRLineDefinition::AllEdges)
-  {
-    this->ExtractEdges(view, this->Surface.GetInnerEdges(), edgeSegments);
-  }
-  if (this->Definition.GetLeastRow() > 1.0)
-  {
-    DropShortRows(
-      edgeSegments, this->Surface, this->FirstVertexKey, this->Definition.GetLeastRow());
-  }
-  segments.insert(segments.end(), edgeSegments.begin(), edgeSegments.end());
-  RemoveDoubles(segments, this->FirstVertexKey);
-  return segments;
+  AddEdgePieces(this->Surface, this->Definition, view, segments.Pieces);
+  RemoveDoubles(this->Surface, segments);
 }
 
 //------------------------------------------------------------------------------
-bool LineExtractor::IsCrossed(Index halfEdge, const float* field) const
+void LineExtractor::RequireSeams(FieldValues& values) const
 {
-  return this->Axes ? this->Axes->IsCrossed(halfEdge, field)
-                    : (field[this->Surface.GetStart(halfEdge)] >= 0.0f) !=
-      (field[this->Surface.GetEnd(halfEdge)] >= 0.0f);
-}
-
-//------------------------------------------------------------------------------
-// Of a half-edge that is crossed.
-LineExtractor::Node LineExtractor::CrossEdge(Index halfEdge, const float* field) const
-{
-  Node node;
-  node.From = this->Surface.GetStart(halfEdge);
-  node.To = this->Surface.GetEnd(halfEdge);
-  // Always from one end, so that both triangles find the same bits, and an exact zero its vertex:
-  // from the positive end, or where the field has axes and so no positive end, from the one that is
-  // nearer to 0.
-  const auto rank = [&](Index point)
-  { return std::make_pair(std::abs(field[point]), this->Surface.GetWelded(point)); };
-  if (this->Axes ? rank(node.To) < rank(node.From) : field[node.From] < 0.0f)
+  for (const Index halfEdge : this->Surface.GetSeams().HalfEdges)
   {
-    std::swap(node.From, node.To);
+    values.Require(this->Surface.GetStart(halfEdge) / LineClusters::PointsOfBlock);
+    values.Require(this->Surface.GetEnd(halfEdge) / LineClusters::PointsOfBlock);
   }
-  const double from = std::abs(double(field[node.From]));
-  const double sum = from + std::abs(double(field[node.To]));
-  // Both ends are 0 only where axes turn against their order in space.
-  node.T = sum > 0.0 ? from / sum : 0.5;
-  if (node.T == 0.0)
-  {
-    node.Key = this->FirstVertexKey + this->Surface.GetWelded(node.From);
-  }
-  else
-  {
-    const Index twin = this->Surface.GetTwin(halfEdge);
-    node.Key = twin == LineSurface::NoTwin ? halfEdge : std::min(halfEdge, twin);
-  }
-  return node;
 }
 
 //------------------------------------------------------------------------------
-std::array<LineExtractor::Index, 2> LineExtractor::GetLowAndHigh(Index halfEdge) const
+void LineExtractor::FindClusters(const LineView& view, LineStrategy strategy, FieldValues& values)
 {
-  const Index start = this->Surface.GetStart(halfEdge);
-  const Index end = this->Surface.GetEnd(halfEdge);
-  return this->Surface.GetWelded(start) < this->Surface.GetWelded(end)
-    ? std::array<Index, 2>{ start, end }
-    : std::array<Index, 2>{ end, start };
-}
-
-//------------------------------------------------------------------------------
-LineExtractor::Node LineExtractor::AtVertex(Index point) const
-{
-  return { this->FirstVertexKey + this->Surface.GetWelded(point), point, point, 0.0 };
-}
-
-//------------------------------------------------------------------------------
-Eigen::Vector3f LineExtractor::GetNormal(Index point) const
-{
-  return { this->Normals[0][point], this->Normals[1][point], this->Normals[2][point] };
-}
-
-//------------------------------------------------------------------------------
-LineVertex LineExtractor::GetVertex(const Node& node) const
-{
-  const TriangleMesh& mesh = this->Surface.GetMesh();
-  const Eigen::Vector3d from = mesh.GetPoint(node.From).cast<double>();
-  const Eigen::Vector3d to = mesh.GetPoint(node.To).cast<double>();
-  LineVertex vertex;
-  vertex.Position = from + node.T * (to - from);
-  vertex.Strength = 1.0f;
-  vertex.Normal.setZero();
-  if (this->Normals[0])
-  {
-    const Eigen::Vector3f normal = this->GetNormal(node.From);
-    vertex.Normal =
-      (normal + static_cast<float>(node.T) * (this->GetNormal(node.To) - normal)).normalized();
-  }
-  return vertex;
-}
-
-//------------------------------------------------------------------------------
-void LineExtractor::ExtractField(
-  const LineView& view, const float* field, std::vector<LineSegment>& segments) const
-{
-  const TriangleMesh& mesh = this->Surface.GetMesh();
-  const vtkIdType size = static_cast<vtkIdType>(this->Candidates.size());
-  const bool tested = this->Definition.HasTest();
-  std::vector<float> fall;
-  if (this->Axes && this->Definition.IsMaximum())
-  {
-    fall = this->Axes->ComputeFall(field);
-  }
-  std::vector<std::vector<LineSegment>> blocks(GetNumberOfBlocks(size));
-  ForBlocks(size,
-    [&](vtkIdType block, vtkIdType begin, vtkIdType end)
+  const bool isBounded =
+    strategy == LineStrategy::Hierarchical && this->Definition.IsViewDependent();
+  const std::array<float, 2> range = this->Definition.GetFacingRange();
+  ForEach(this->Parts,
+    [&](Index p)
     {
-      std::vector<Index> crossed;
-      std::vector<Index> corners;
-      for (vtkIdType i = begin; i < end; ++i)
+      std::vector<Index>& clusters = this->Parts[p].Clusters;
+      clusters.clear();
+      const Index last = std::min((p + 1) * GroupsOfPart, this->Clusters.GetNumberOfGroups());
+      for (Index group = p * GroupsOfPart; group < last; ++group)
       {
-        const Index t = this->Candidates[i];
-        const TriangleMesh::Triangle& c = mesh.GetTriangle(t);
-        const int crossings = this->IsCrossed(3 * t, field) + this->IsCrossed(3 * t + 1, field) +
-          this->IsCrossed(3 * t + 2, field);
-        if (crossings == 2 && std::isfinite(field[c[0]]) && std::isfinite(field[c[1]]) &&
-          std::isfinite(field[c[2]]))
+        if (isBounded)
         {
-          crossed.push_back(t);
-          corners.insert(corners.end(), c.begin(), c.end());
+          this->Clusters.FindFacing(view, range, group, clusters);
+          continue;
+        }
+        const Index first = group * LineClusters::ClustersOfGroup;
+        const Index end =
+          std::min(first + LineClusters::ClustersOfGroup, this->Clusters.GetNumberOfClusters());
+        for (Index cluster = first; cluster < end; ++cluster)
+        {
+          clusters.push_back(cluster);
         }
       }
-      std::vector<float> test;
+      if (this->HasCandidates)
+      {
+        clusters.erase(
+          std::remove_if(clusters.begin(), clusters.end(),
+            [this](Index cluster)
+            { return this->CandidateOffsets[cluster] == this->CandidateOffsets[cluster + 1]; }),
+          clusters.end());
+      }
+      for (const Index cluster : clusters)
+      {
+        for (const Index* block = this->Clusters.BlocksBegin(cluster);
+             block != this->Clusters.BlocksEnd(cluster); ++block)
+        {
+          values.Require(*block);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool LineExtractor::IsCrossed(Index triangle, const FieldValues& values) const
+{
+  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
+  const FieldValues::Side a = values.GetSide(c[0]);
+  const FieldValues::Side b = values.GetSide(c[1]);
+  const FieldValues::Side d = values.GetSide(c[2]);
+  if (!this->Axes)
+  {
+    return (a != b || b != d) && a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
+      d != FieldValues::NotANumber;
+  }
+  const float* const field = values.Get();
+  return a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
+    d != FieldValues::NotANumber &&
+    this->Axes->IsCrossed(3 * triangle, field) + this->Axes->IsCrossed(3 * triangle + 1, field) +
+      this->Axes->IsCrossed(3 * triangle + 2, field) ==
+    2;
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::FindCrossed(FieldValues& values)
+{
+  ForEach(this->Parts,
+    [&](Index p)
+    {
+      Part& part = this->Parts[p];
+      part.Crossed.clear();
+      for (const Index cluster : part.Clusters)
+      {
+        if (this->HasCandidates)
+        {
+          for (Index i = this->CandidateOffsets[cluster]; i < this->CandidateOffsets[cluster + 1];
+               ++i)
+          {
+            if (this->IsCrossed(this->Candidates[i], values))
+            {
+              part.Crossed.push_back(this->Candidates[i]);
+            }
+          }
+          continue;
+        }
+        const Index end = this->Clusters.GetTriangleEnd(cluster);
+        for (Index t = this->Clusters.GetFirstTriangle(cluster); t < end; ++t)
+        {
+          if (this->IsCrossed(t, values))
+          {
+            part.Crossed.push_back(t);
+          }
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
+{
+  if (!this->Seeds)
+  {
+    std::vector<Index> all(
+      this->HasCandidates ? 0 : this->Surface.GetMesh().GetNumberOfTriangles());
+    std::iota(all.begin(), all.end(), 0);
+    this->Seeds =
+      std::make_unique<RandomSeeds>(this->Surface, this->HasCandidates ? this->Candidates : all);
+  }
+  const TriangleMesh& mesh = this->Surface.GetMesh();
+  const auto ask = [&](Index triangle)
+  {
+    RandomSeeds::Answer answer;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Index point = mesh.GetTriangle(triangle)[i];
+      values.EvaluateNow(point / LineClusters::PointsOfBlock);
+      // Of many levels the one in the middle will do: it goes downhill to get anywhere.
+      answer.Distances[i] = std::abs(values[point] - this->Levels[this->Levels.size() / 2]);
+    }
+    answer.IsCrossed = this->IsCrossed(triangle, values);
+    return answer;
+  };
+  const std::size_t count =
+    static_cast<std::size_t>(std::ceil(share * mesh.GetNumberOfTriangles()));
+  for (Part& part : this->Parts)
+  {
+    part.Crossed.clear();
+  }
+  constexpr Index trianglesOfPart =
+    GroupsOfPart * LineClusters::ClustersOfGroup * LineClusters::TrianglesOfCluster;
+  for (const Index triangle : this->Seeds->Find(count, ask))
+  {
+    this->Parts[triangle / trianglesOfPart].Crossed.push_back(triangle);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::MakeCrossings(
+  const LineView& view, bool useSlopes, FieldValues& values, LineSegments& segments)
+{
+  const bool tested = this->Definition.HasTest();
+  if (tested)
+  {
+    ForEach(this->Parts,
+      [&](Index p)
+      {
+        for (const Index triangle : this->Parts[p].Crossed)
+        {
+          for (const Index corner : this->Surface.GetMesh().GetTriangle(triangle))
+          {
+            values.RequireTest(corner);
+          }
+        }
+      });
+    if (this->Definition.IsMaximum())
+    {
+      // The fall to it is measured in the triangles around, wherever their points may be.
+      values.RequireAll();
+      values.Evaluate();
+    }
+    values.EvaluateTests();
+  }
+  ForEach(this->Parts,
+    [&](Index p)
+    {
+      Part& part = this->Parts[p];
+      part.Crossings.clear();
+      for (const Index triangle : part.Crossed)
+      {
+        this->AddCrossings(triangle, values, part.Crossings);
+      }
+      if (useSlopes && this->HasSlopes)
+      {
+        this->UseSlopes(view, values, part.Crossings);
+      }
       if (tested)
       {
-        test.resize(corners.size());
-        this->Definition.EvaluateTest(this->Surface, view, corners.data(),
-          static_cast<vtkIdType>(corners.size()), fall.empty() ? nullptr : fall.data(),
-          test.data());
-      }
-
-      blocks[block].reserve(crossed.size());
-      for (std::size_t i = 0; i < crossed.size(); ++i)
-      {
-        const TriangleMesh::Triangle& c = mesh.GetTriangle(crossed[i]);
-        // Walking the triangle's border, the line starts where the field turns negative; where that
-        // means nothing, with the first crossing.
-        std::array<Node, 2> nodes = {};
-        std::array<float, 2> accepted = { 1.0f, 1.0f };
-        int found = 0;
-        for (int e = 0; e < 3; ++e)
-        {
-          if (!this->IsCrossed(3 * crossed[i] + e, field))
-          {
-            continue;
-          }
-          const int n = this->Axes ? found++ : field[c[e]] >= 0.0f ? 0 : 1;
-          nodes[n] = this->CrossEdge(3 * crossed[i] + e, field);
-          if (tested)
-          {
-            const int next = (e + 1) % 3;
-            const bool forward = nodes[n].From == c[e];
-            const float s = static_cast<float>(nodes[n].T);
-            const std::size_t from = 3 * i + (forward ? e : next);
-            const std::size_t to = 3 * i + (forward ? next : e);
-            accepted[n] = test[from] + s * (test[to] - test[from]);
-          }
-        }
-        // Also false where the test is not a number.
-        const bool keep = std::max(accepted[0], accepted[1]) > 0.0f && std::isfinite(accepted[0]) &&
-          std::isfinite(accepted[1]);
-        if (nodes[0].Key == nodes[1].Key || !keep)
-        {
-          continue;
-        }
-        LineSegment segment = { { nodes[0].Key, nodes[1].Key },
-          { this->GetVertex(nodes[0]), this->GetVertex(nodes[1]) } };
-        for (int n = 0; n < 2; ++n)
-        {
-          segment.Vertices[n].Strength = Smooth(accepted[n]);
-        }
-        for (int n = 0; n < 2; ++n)
-        {
-          if (accepted[n] < 0.0f)
-          {
-            // The line ends in this triangle, where the test turns.
-            const LineVertex& outside = segment.Vertices[n];
-            const LineVertex& inside = segment.Vertices[1 - n];
-            const double s = accepted[n] / (double(accepted[n]) - accepted[1 - n]);
-            LineVertex cut;
-            cut.Position = outside.Position + s * (inside.Position - outside.Position);
-            cut.Normal = (outside.Normal + static_cast<float>(s) * (inside.Normal - outside.Normal))
-                           .normalized();
-            cut.Strength = 0.0f;
-            segment.Vertices[n] = cut;
-            segment.Keys[n] = this->FirstCutKey + crossed[i];
-          }
-        }
-        blocks[block].push_back(segment);
+        this->SetTests(values, part.Crossings);
       }
     });
-  AppendBlocks(blocks, segments);
-}
-
-//------------------------------------------------------------------------------
-// A piece of an edge; its normals are the mean of those of the triangles on it. `fromLow` and
-// `toLow` say where it lies between the edge's low and high welded point.
-LineSegment LineExtractor::GetEdgeSegment(const Node& from, const Node& to, const Index* sides,
-  const Index* end, double fromLow, double toLow, float strength) const
-{
-  LineSegment segment = { { from.Key, to.Key }, { this->GetVertex(from), this->GetVertex(to) } };
-  for (int n = 0; n < 2; ++n)
+  std::vector<std::size_t> offsets(this->Parts.size() + 1, 0);
+  for (std::size_t p = 0; p < this->Parts.size(); ++p)
   {
-    const float t = static_cast<float>(n == 0 ? fromLow : toLow);
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (const Index* side = sides; side != end; ++side)
-    {
-      if (this->Normals[0])
-      {
-        const auto [low, high] = this->GetLowAndHigh(*side);
-        const Eigen::Vector3f normal = this->GetNormal(low);
-        sum += normal + t * (this->GetNormal(high) - normal);
-      }
-      else
-      {
-        sum += this->Surface.GetMesh().GetAreaNormal(*side / 3).normalized();
-      }
-    }
-    segment.Vertices[n].Normal = sum.normalized();
-    segment.Vertices[n].Strength = strength;
+    offsets[p + 1] = offsets[p] + this->Parts[p].Crossings.size();
   }
-  return segment;
-}
-
-//------------------------------------------------------------------------------
-LineSegment LineExtractor::GetWholeEdge(const Index* sides, const Index* end, float strength) const
-{
-  // In the direction of its first triangle, which is then on the left.
-  const Index start = this->Surface.GetStart(*sides);
-  const Index stop = this->Surface.GetEnd(*sides);
-  const double fromLow = start == this->GetLowAndHigh(*sides)[0] ? 0.0 : 1.0;
-  return this->GetEdgeSegment(
-    this->AtVertex(start), this->AtVertex(stop), sides, end, fromLow, 1.0 - fromLow, strength);
-}
-
-//------------------------------------------------------------------------------
-void LineExtractor::ExtractJumps(const float* field, std::vector<LineSegment>& segments) const
-{
-  // Where points are split, each side has a field of its own along the edge. The line runs where
-  // their signs differ: so it goes on exactly where the lines in the triangles on both sides end.
-  struct Side
-  {
-    bool Forward;                 // the triangle runs from the low point to the high one
-    std::array<bool, 2> Positive; // at low, at high
-    std::size_t Change;           // the first interval after the change of sign
-    bool IsPositive(std::size_t interval) const { return this->Positive[interval >= this->Change]; }
-  };
-  struct Place
-  {
-    double T; // from low to high
-    Node At;
-    std::size_t Owner; // the side whose sign changes here
-  };
-  const EdgeList& seams = this->Surface.GetSeams();
-  std::vector<Side> sides;
-  std::vector<Place> places;
-  for (Index edge = 0; edge < seams.GetNumberOfEdges(); ++edge)
-  {
-    const Index* begin = seams.Begin(edge);
-    const Index* end = seams.End(edge);
-    if (end - begin == 1)
+  segments.Crossings.resize(offsets.back());
+  ForEach(this->Parts,
+    [&](Index p)
     {
-      // Nothing is on the other side of a border, so the line runs along all of it.
-      segments.push_back(this->GetWholeEdge(begin, end, 1.0f));
+      const std::vector<LineCrossing>& crossings = this->Parts[p].Crossings;
+      std::copy(crossings.begin(), crossings.end(), segments.Crossings.begin() + offsets[p]);
+    });
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::AddCrossings(
+  Index triangle, const FieldValues& values, std::vector<LineCrossing>& crossings) const
+{
+  if (this->Axes)
+  {
+    this->AddCrossing(triangle, 0, values, crossings);
+    return;
+  }
+  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
+  const auto [low, high] =
+    std::minmax({ values.GetSide(c[0]), values.GetSide(c[1]), values.GetSide(c[2]) });
+  for (std::size_t level = low; level < high; ++level)
+  {
+    this->AddCrossing(triangle, level, values, crossings);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::AddCrossing(Index triangle, std::size_t level, const FieldValues& values,
+  std::vector<LineCrossing>& crossings) const
+{
+  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
+  const double value = this->Levels[level];
+  const auto isAbove = [&](Index point) { return values.GetSide(point) > level; };
+  const auto rank = [&](Index point)
+  { return std::make_pair(std::abs(values[point]), this->Surface.GetWelded(point)); };
+  LineCrossing crossing;
+  crossing.Triangle = triangle;
+  crossing.Level = static_cast<std::uint16_t>(level);
+  crossing.Test = { 1.0f, 1.0f };
+  std::array<Index, 2> vertices = { -1, -1 };
+  int found = 0;
+  for (int e = 0; e < 3; ++e)
+  {
+    const Index start = c[e];
+    const Index stop = c[e == 2 ? 0 : e + 1];
+    if (this->Axes ? !this->Axes->IsCrossed(3 * triangle + e, values.Get())
+                   : isAbove(start) == isAbove(stop))
+    {
       continue;
     }
-    sides.clear();
-    places.clear();
-    for (const Index* h = begin; h != end; ++h)
+    // Walking the triangle's border, the line starts where the field turns negative; where that
+    // means nothing, with the first crossing.
+    const int n = this->Axes ? found++ : isAbove(start) ? 0 : 1;
+    // Always from one end, so that both triangles find the same bits, and an exact zero its vertex:
+    // from the end above, or where the field has axes and so no end above, from the one that is
+    // nearer to 0.
+    const bool isReversed = this->Axes ? rank(stop) < rank(start) : isAbove(stop);
+    const double from = std::abs(double(values[isReversed ? stop : start]) - value);
+    const double sum = from + std::abs(double(values[isReversed ? start : stop]) - value);
+    // Both ends are 0 only where axes turn against their order in space.
+    crossing.T[n] = sum > 0.0 ? static_cast<float>(from / sum) : 0.5f;
+    crossing.Places[n] = static_cast<std::uint8_t>(e + (isReversed ? LineCrossing::Reversed : 0));
+    if (crossing.T[n] == 0.0f)
     {
-      const auto [low, high] = this->GetLowAndHigh(*h);
-      if (!std::isfinite(field[low]) || !std::isfinite(field[high]))
-      {
-        continue;
-      }
-      const bool forward = low == this->Surface.GetStart(*h);
-      sides.push_back({ forward, { field[low] >= 0.0f, field[high] >= 0.0f }, 0 });
-      if (sides.back().Positive[0] != sides.back().Positive[1])
-      {
-        const Node node = this->CrossEdge(*h, field);
-        places.push_back({ node.From == low ? node.T : 1.0 - node.T, node, sides.size() - 1 });
-      }
+      vertices[n] = this->Surface.GetWelded(isReversed ? stop : start);
     }
-    std::stable_sort(
-      places.begin(), places.end(), [](const Place& a, const Place& b) { return a.T < b.T; });
-    for (std::size_t i = 0; i < places.size(); ++i)
+  }
+  // From a vertex to itself is no line.
+  if (vertices[0] < 0 || vertices[0] != vertices[1])
+  {
+    crossings.push_back(crossing);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::UseSlopes(
+  const LineView& view, const FieldValues& values, std::vector<LineCrossing>& crossings) const
+{
+  std::vector<Index> from;
+  std::vector<Index> to;
+  for (const LineCrossing& crossing : crossings)
+  {
+    for (int n = 0; n < 2; ++n)
     {
-      sides[places[i].Owner].Change = i + 1;
+      const LineNode node = crossing.GetNode(this->Surface, n);
+      from.push_back(node.From);
+      to.push_back(node.To);
     }
-    const auto [low, high] = this->GetLowAndHigh(*begin);
-    places.insert(places.begin(), { 0.0, this->AtVertex(low), 0 });
-    places.push_back({ 1.0, this->AtVertex(high), 0 });
-    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  }
+  std::vector<float> atFrom(from.size());
+  std::vector<float> atTo(from.size());
+  this->Definition.EvaluateSlopes(this->Surface, view, from.data(), to.data(),
+    static_cast<vtkIdType>(from.size()), atFrom.data(), atTo.data());
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    LineCrossing& crossing = crossings[i / 2];
+    float& t = crossing.T[i % 2];
+    // Along seams, jumps are where the values say.
+    const bool isInside =
+      this->Surface.GetTwin(crossing.GetHalfEdge(static_cast<int>(i % 2))) != LineSurface::NoTwin;
+    if (t != 0.0f && isInside)
     {
-      const auto front = std::find_if(
-        sides.begin(), sides.end(), [i](const Side& side) { return side.IsPositive(i); });
-      const bool mixed = front != sides.end() &&
-        !std::all_of(
-          sides.begin(), sides.end(), [i](const Side& side) { return side.IsPositive(i); });
-      if (mixed && places[i].At.Key != places[i + 1].At.Key)
-      {
-        const Place& from = places[front->Forward ? i : i + 1];
-        const Place& to = places[front->Forward ? i + 1 : i];
-        segments.push_back(this->GetEdgeSegment(from.At, to.At, begin, end, from.T, to.T, 1.0f));
-      }
+      const double level = this->Levels[crossing.Level];
+      t = static_cast<float>(
+        FindHermiteRoot(values[from[i]] - level, values[to[i]] - level, atFrom[i], atTo[i], t));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void LineExtractor::ExtractEdges(
-  const LineView& view, const EdgeList& edges, std::vector<LineSegment>& segments) const
+// Drops crossings of which the test accepts nothing.
+void LineExtractor::SetTests(const FieldValues& values, std::vector<LineCrossing>& crossings) const
 {
-  const vtkIdType size = edges.GetNumberOfEdges();
-  std::vector<std::vector<LineSegment>> blocks(GetNumberOfBlocks(size));
-  ForBlocks(size,
-    [&](vtkIdType block, vtkIdType begin, vtkIdType end)
+  std::size_t kept = 0;
+  for (LineCrossing& crossing : crossings)
+  {
+    for (int n = 0; n < 2; ++n)
     {
-      std::vector<float> strength(end - begin, 0.0f);
-      this->Definition.EvaluateEdges(this->Surface, view, edges, begin, end, strength.data());
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        if (!(strength[i - begin] > 0.0f))
-        {
-          continue;
-        }
-        const Index edge = static_cast<Index>(i);
-        blocks[block].push_back(
-          this->GetWholeEdge(edges.Begin(edge), edges.End(edge), strength[i - begin]));
-      }
-    });
-  AppendBlocks(blocks, segments);
+      const LineNode node = crossing.GetNode(this->Surface, n);
+      const float from = values.GetTest(node.From);
+      crossing.Test[n] = from + node.T * (values.GetTest(node.To) - from);
+    }
+    // Also false where the test is not a number.
+    if (std::max(crossing.Test[0], crossing.Test[1]) > 0.0f && std::isfinite(crossing.Test[0]) &&
+      std::isfinite(crossing.Test[1]))
+    {
+      crossings[kept++] = crossing;
+    }
+  }
+  crossings.resize(kept);
 }
 }

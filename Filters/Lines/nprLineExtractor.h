@@ -4,11 +4,13 @@
 #define nprLineExtractor_h
 
 #include "nprFieldAxes.h"
+#include "nprFieldValues.h"
+#include "nprLineClusters.h"
 #include "nprLineSegments.h"
 #include "nprLineSurface.h"
+#include "nprRandomSeeds.h"
 #include "vtkNPRFiltersLinesModule.h"
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -16,19 +18,36 @@ class vtkNPRLineDefinition;
 
 namespace npr
 {
+/// How triangles with lines are found. The first two find the same lines, to the last bit.
+enum class LineStrategy
+{
+  Full,         ///< looks at all triangles that the definition does not rule out for all views
+  Hierarchical, ///< and not at clusters that can not have lines in this view
+  Random        ///< looks at random triangles and those of the last view, and follows their lines
+};
+
+struct LineOptions
+{
+  LineStrategy Strategy = LineStrategy::Hierarchical;
+  /// Whether crossings are placed by the slopes of the field at the ends of an edge, where the
+  /// definition knows them, and not by its values alone.
+  bool UseSlopes = false;
+  /// How many of the triangles the strategy Random begins at.
+  double SeedShare = 0.005;
+};
+
 /**
  * @class LineExtractor
  * @brief Takes the segments of one line definition from a surface.
  *
- * Goes through all triangles that the definition does not rule out. In a triangle the field is
- * linear between its corners; a corner where it is exactly 0 counts as positive, everywhere (where
- * the field has axes, see FieldAxes; there a line ends in a triangle whose edges it crosses an odd
- * number of times: it surrounds a point where the axes have no direction). A
- * point of the line that is a vertex is known as that vertex by all its triangles, so a line
- * through vertices or along edges is neither lost nor doubled. Segments have the positive side on
- * their left, seen from outside the surface.
+ * In a triangle the field is linear between its corners; a corner where it is exactly at a level
+ * counts as above, everywhere (where the field has axes, see FieldAxes; there a line ends in a
+ * triangle whose edges it crosses an odd number of times: it surrounds a point where the axes have
+ * no direction). A point of the line that is a vertex is known as that vertex by all its triangles,
+ * so a line through vertices or along edges is neither lost nor doubled. Segments have the positive
+ * side on their left, seen from outside the surface.
  *
- * Blocks of fixed size are worked on in parallel and put together in their order: the result does
+ * Parts of fixed size are worked on in parallel and put together in their order: the result does
  * not depend on the number of threads.
  */
 class VTKNPRFILTERSLINES_EXPORT LineExtractor
@@ -36,45 +55,55 @@ class VTKNPRFILTERSLINES_EXPORT LineExtractor
 public:
   using Index = TriangleMesh::Index;
 
-  /// Both must outlive the extractor. Finds, once for all views, the triangles that can not be
-  /// ruled out.
-  LineExtractor(const LineSurface& surface, const vtkNPRLineDefinition& definition);
+  /// All must outlive the extractor. Finds, once for all views, the triangles that can not be ruled
+  /// out.
+  LineExtractor(const LineSurface& surface, const LineClusters& clusters,
+    const vtkNPRLineDefinition& definition);
+  ~LineExtractor();
 
-  /// All segments of the lines seen so at one level of the field; edges have but one. Views do not
-  /// matter to a definition that depends on none.
-  std::vector<LineSegment> Extract(const LineView& view, float level);
+  const std::vector<float>& GetLevels() const { return this->Levels; }
 
-  std::size_t GetNumberOfCandidates() const { return this->Candidates.size(); }
+  /// All segments of the lines seen so. Views do not matter to a definition that depends on none.
+  /// What was in `segments` is dropped, but not its memory.
+  void Extract(
+    const LineView& view, const LineOptions& options, FieldValues& values, LineSegments& segments);
 
 private:
-  struct Node;
-  bool IsCrossed(Index halfEdge, const float* field) const;
-  Node CrossEdge(Index halfEdge, const float* field) const;
-  Node AtVertex(Index point) const;
-  LineVertex GetVertex(const Node& node) const;
-  LineSegment GetEdgeSegment(const Node& from, const Node& to, const Index* sides, const Index* end,
-    double fromLow, double toLow, float strength) const;
-  LineSegment GetWholeEdge(const Index* sides, const Index* end, float strength) const;
-  /// The points of a half-edge, in the order of their welded ids: the same on all sides of an edge.
-  std::array<Index, 2> GetLowAndHigh(Index halfEdge) const;
-  Eigen::Vector3f GetNormal(Index point) const;
+  /// Some groups of clusters, and what was found there.
+  struct Part
+  {
+    std::vector<Index> Clusters;
+    std::vector<Index> Crossed;
+    std::vector<LineCrossing> Crossings;
+  };
 
-  std::vector<float> EvaluateField(const LineView& view, float level) const;
-  void SetViewAxes(const LineView& view);
-  void ExtractField(
-    const LineView& view, const float* field, std::vector<LineSegment>& segments) const;
-  void ExtractJumps(const float* field, std::vector<LineSegment>& segments) const;
-  void ExtractEdges(
-    const LineView& view, const EdgeList& edges, std::vector<LineSegment>& segments) const;
+  void FindCandidates();
+  void RequireSeams(FieldValues& values) const;
+  void FindClusters(const LineView& view, LineStrategy strategy, FieldValues& values);
+  void FindCrossed(FieldValues& values);
+  void FindCrossedAtRandom(double share, FieldValues& values);
+  bool IsCrossed(Index triangle, const FieldValues& values) const;
+  void MakeCrossings(
+    const LineView& view, bool useSlopes, FieldValues& values, LineSegments& segments);
+  void AddCrossings(
+    Index triangle, const FieldValues& values, std::vector<LineCrossing>& crossings) const;
+  void AddCrossing(Index triangle, std::size_t level, const FieldValues& values,
+    std::vector<LineCrossing>& crossings) const;
+  void UseSlopes(
+    const LineView& view, const FieldValues& values, std::vector<LineCrossing>& crossings) const;
+  void SetTests(const FieldValues& values, std::vector<LineCrossing>& crossings) const;
 
   const LineSurface& Surface;
+  const LineClusters& Clusters;
   const vtkNPRLineDefinition& Definition;
+  std::vector<float> Levels;
+  bool HasSlopes = false;
   std::unique_ptr<FieldAxes> Axes; ///< null where the field has one value
-  std::array<std::vector<float>, 3> ViewAxes;
+  bool HasCandidates = false;      ///< else all triangles are
   std::vector<Index> Candidates;
-  std::array<const float*, 3> Normals = { nullptr, nullptr, nullptr };
-  std::int64_t FirstVertexKey;
-  std::int64_t FirstCutKey;
+  std::vector<Index> CandidateOffsets; ///< for each cluster
+  std::vector<Part> Parts;
+  std::unique_ptr<RandomSeeds> Seeds;
 };
 }
 

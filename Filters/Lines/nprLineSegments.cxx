@@ -8,41 +8,76 @@
 
 namespace npr
 {
-//------------------------------------------------------------------------------
-void RemoveDoubles(std::vector<LineSegment>& segments, std::int64_t firstVertexKey)
+namespace
 {
-  std::vector<char> drop(segments.size(), 0);
-  std::vector<std::pair<std::array<std::int64_t, 2>, std::size_t>> edges;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    auto keys = segments[i].Keys;
-    if (keys[0] >= firstVertexKey && keys[1] >= firstVertexKey)
-    {
-      std::sort(keys.begin(), keys.end());
-      edges.emplace_back(keys, i);
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 1; i < edges.size(); ++i)
-  {
-    drop[edges[i].second] |= edges[i].first == edges[i - 1].first;
-  }
+using Index = TriangleMesh::Index;
+
+// Takes out the elements whose place in `drop`, from `offset` on, is marked.
+template<typename T>
+void Erase(std::vector<T>& elements, const std::vector<char>& drop, std::size_t offset)
+{
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < segments.size(); ++i)
+  for (std::size_t i = 0; i < elements.size(); ++i)
   {
-    if (!drop[i])
+    if (!drop[offset + i])
     {
-      segments[kept++] = segments[i];
+      elements[kept++] = elements[i];
     }
   }
-  segments.resize(kept);
+  elements.resize(kept);
+}
 }
 
 //------------------------------------------------------------------------------
-void DropShortRows(std::vector<LineSegment>& segments, const LineSurface& surface,
-  std::int64_t firstVertexKey, double least)
+void RemoveDoubles(const LineSurface& surface, LineSegments& segments)
 {
-  using Index = TriangleMesh::Index;
+  struct Edge
+  {
+    std::array<Index, 2> Points;
+    std::size_t Segment;
+    bool operator<(const Edge& other) const
+    {
+      return this->Points != other.Points ? this->Points < other.Points
+                                          : this->Segment < other.Segment;
+    }
+  };
+  std::vector<Edge> edges;
+  const auto add = [&](Index a, Index b, std::size_t segment)
+  {
+    const Index from = surface.GetWelded(a);
+    const Index to = surface.GetWelded(b);
+    edges.push_back({ { std::min(from, to), std::max(from, to) }, segment });
+  };
+  const std::size_t crossings = segments.Crossings.size();
+  for (std::size_t i = 0; i < crossings; ++i)
+  {
+    const LineCrossing& crossing = segments.Crossings[i];
+    if (crossing.T[0] == 0.0f && crossing.T[1] == 0.0f && !crossing.IsCut(0) && !crossing.IsCut(1))
+    {
+      add(crossing.GetNode(surface, 0).From, crossing.GetNode(surface, 1).From, i);
+    }
+  }
+  for (std::size_t i = 0; i < segments.Pieces.size(); ++i)
+  {
+    const LinePiece& piece = segments.Pieces[i];
+    if (piece.HalfEdges[0] == LinePiece::NoHalfEdge && piece.HalfEdges[1] == LinePiece::NoHalfEdge)
+    {
+      add(piece.Nodes[0].From, piece.Nodes[1].From, crossings + i);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<char> drop(segments.GetSize(), 0);
+  for (std::size_t i = 1; i < edges.size(); ++i)
+  {
+    drop[edges[i].Segment] = edges[i].Points == edges[i - 1].Points;
+  }
+  Erase(segments.Crossings, drop, 0);
+  Erase(segments.Pieces, drop, crossings);
+}
+
+//------------------------------------------------------------------------------
+void DropShortRows(const LineSurface& surface, double least, std::vector<LinePiece>& pieces)
+{
   const Index numberOfPoints = surface.GetMesh().GetNumberOfPoints();
   std::vector<Index> parents(numberOfPoints);
   std::iota(parents.begin(), parents.end(), 0);
@@ -55,12 +90,12 @@ void DropShortRows(std::vector<LineSegment>& segments, const LineSurface& surfac
     }
     return point;
   };
-  const auto getPoint = [firstVertexKey](const LineSegment& segment, int end)
-  { return static_cast<Index>(segment.Keys[end] - firstVertexKey); };
+  const auto getPoint = [&surface](const LinePiece& piece, int end)
+  { return surface.GetWelded(piece.Nodes[end].From); };
 
-  for (const LineSegment& segment : segments)
+  for (const LinePiece& piece : pieces)
   {
-    parents[findRoot(getPoint(segment, 0))] = findRoot(getPoint(segment, 1));
+    parents[findRoot(getPoint(piece, 0))] = findRoot(getPoint(piece, 1));
   }
   std::vector<char> atBorder(numberOfPoints, 0);
   const EdgeList& seams = surface.GetSeams();
@@ -74,9 +109,9 @@ void DropShortRows(std::vector<LineSegment>& segments, const LineSurface& surfac
     }
   }
   std::vector<Index> lengths(numberOfPoints, 0);
-  for (const LineSegment& segment : segments)
+  for (const LinePiece& piece : pieces)
   {
-    ++lengths[findRoot(getPoint(segment, 0))];
+    ++lengths[findRoot(getPoint(piece, 0))];
   }
   for (Index point = 0; point < numberOfPoints; ++point)
   {
@@ -85,9 +120,9 @@ void DropShortRows(std::vector<LineSegment>& segments, const LineSurface& surfac
       ++lengths[findRoot(point)];
     }
   }
-  segments.erase(
-    std::remove_if(segments.begin(), segments.end(),
-      [&](const LineSegment& segment) { return lengths[findRoot(getPoint(segment, 0))] < least; }),
-    segments.end());
+  pieces.erase(
+    std::remove_if(pieces.begin(), pieces.end(),
+      [&](const LinePiece& piece) { return lengths[findRoot(getPoint(piece, 0))] < least; }),
+    pieces.end());
 }
 }

@@ -10,38 +10,89 @@
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
-#include <Eigen/Core>
-
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace npr
 {
-/// A point of a line.
-struct LineVertex
+/// A place on an edge of the mesh: From + T (To - From). With T 0 it is the point From.
+struct LineNode
 {
-  Eigen::Vector3d Position; ///< relative to the origin of the surface
-  Eigen::Vector3f Normal;
+  using Index = TriangleMesh::Index;
+  Index From;
+  Index To;
+  float T;
+  bool IsVertex() const { return this->T == 0.0f; }
+};
+
+/// Ends of segments on edges without a twin join where their keys agree: that of the half-edge, or
+/// where there is none, of the vertex.
+inline std::int64_t GetKey(
+  const LineSurface& surface, const LineNode& node, TriangleMesh::Index halfEdge)
+{
+  return halfEdge < 0 ? std::int64_t(surface.GetNumberOfHalfEdges()) + surface.GetWelded(node.From)
+                      : std::int64_t(halfEdge);
+}
+
+/// A line's way through a triangle, from one of its edges to another. Of its two ends one may lie
+/// outside of what the test accepts: the line then ends between them, where the test is 0.
+struct LineCrossing
+{
+  using Index = TriangleMesh::Index;
+  Index Triangle;
+  std::uint16_t Level; ///< which of the definition's
+  /// For each end the edge of the triangle, plus Reversed if From is the end of that half-edge.
+  std::array<std::uint8_t, 2> Places;
+  std::array<float, 2> T;
+  std::array<float, 2> Test;
+
+  static constexpr std::uint8_t Reversed = 4;
+  Index GetHalfEdge(int end) const { return 3 * this->Triangle + (this->Places[end] & 3); }
+  bool IsCut(int end) const { return this->Test[end] < 0.0f; }
+  LineNode GetNode(const LineSurface& surface, int end) const
+  {
+    const Index halfEdge = this->GetHalfEdge(end);
+    const Index start = surface.GetStart(halfEdge);
+    const Index stop = surface.GetEnd(halfEdge);
+    return (this->Places[end] & Reversed) != 0 ? LineNode{ stop, start, this->T[end] }
+                                               : LineNode{ start, stop, this->T[end] };
+  }
+};
+
+/// A piece of a line along an edge of the welded surface.
+struct LinePiece
+{
+  using Index = TriangleMesh::Index;
+  const Index* Sides; ///< the half-edges on the edge: [Sides, SidesEnd)
+  const Index* SidesEnd;
+  std::array<LineNode, 2> Nodes;
+  /// The half-edge that a node is on; its vertex where that is NoHalfEdge.
+  std::array<Index, 2> HalfEdges;
+  /// Where a node lies between the edge's low and high point.
+  std::array<float, 2> FromLow;
   float Strength;
+
+  static constexpr Index NoHalfEdge = -1;
 };
 
-/// A piece of a line in one triangle or along one edge. Pieces join where their keys agree.
-struct LineSegment
+/// The segments of one definition. Segment s is crossing s, or piece s - number of crossings.
+struct LineSegments
 {
-  std::array<std::int64_t, 2> Keys;
-  std::array<LineVertex, 2> Vertices;
+  std::vector<LineCrossing> Crossings;
+  std::vector<LinePiece> Pieces;
+  std::size_t GetSize() const { return this->Crossings.size() + this->Pieces.size(); }
 };
 
-/// Keys from \p firstVertexKey on are those of welded points. A segment between two of them may
-/// come from the triangles on both of its sides, or from a triangle and a seam: one is kept.
-VTKNPRFILTERSLINES_EXPORT void RemoveDoubles(
-  std::vector<LineSegment>& segments, std::int64_t firstVertexKey);
+/// A segment between two vertices may come from the triangles on both of its sides, or from a
+/// triangle and a seam: one is kept.
+VTKNPRFILTERSLINES_EXPORT void RemoveDoubles(const LineSurface& surface, LineSegments& segments);
 
-/// Of segments that all run between welded points, takes out those that hang together in fewer than
-/// \p least; each of their points at a border counts as one segment more.
-VTKNPRFILTERSLINES_EXPORT void DropShortRows(std::vector<LineSegment>& segments,
-  const LineSurface& surface, std::int64_t firstVertexKey, double least);
+/// Of pieces that are whole edges, takes out those that hang together in fewer than \p least; each
+/// of their points at a border counts as one piece more.
+VTKNPRFILTERSLINES_EXPORT void DropShortRows(
+  const LineSurface& surface, double least, std::vector<LinePiece>& pieces);
 }
 
 #endif

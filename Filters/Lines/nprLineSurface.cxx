@@ -3,30 +3,126 @@
 #include "nprLineSurface.h"
 
 #include "nprArrayNames.h"
+#include "nprHilbertOrder.h"
 #include "nprLengthScale.h"
 #include "nprWeldedPoints.h"
 
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace npr
 {
 //------------------------------------------------------------------------------
-LineSurface::LineSurface(vtkPolyData* surface, double lengthScale) : Mesh(surface)
+LineSurface::LineSurface(vtkPolyData* surface, double lengthScale)
+  : Mesh({}, {}), Polygons(surface->GetPolys()), PolygonsMTime(Polygons->GetMTime()),
+    NumberOfCellsBefore(surface->GetNumberOfVerts() + surface->GetNumberOfLines())
 {
-  this->LengthScale = lengthScale > 0.0 ? lengthScale : npr::GetLengthScale(surface, this->Mesh);
-  const Index numberOfPoints = this->Mesh.GetNumberOfPoints();
-
+  const TriangleMesh mesh(surface);
+  this->LengthScale = lengthScale > 0.0 ? lengthScale : npr::GetLengthScale(surface, mesh);
   if (surface->GetPointData()->HasArray(names::WeldedPointIds))
   {
-    this->WeldedIds = GetWeldedPoints(surface);
+    this->OriginalWeldedPoints = GetWeldedPoints(surface);
   }
+  this->SetOrder(mesh);
+  this->SetCoordinates();
+  this->BuildTwins();
+  this->BuildSeams();
+}
 
+//------------------------------------------------------------------------------
+bool LineSurface::Move(vtkPolyData* surface, double lengthScale)
+{
+  if (surface->GetPolys() != this->Polygons ||
+    surface->GetPolys()->GetMTime() != this->PolygonsMTime ||
+    surface->GetNumberOfVerts() + surface->GetNumberOfLines() != this->NumberOfCellsBefore ||
+    surface->GetNumberOfPoints() != this->Mesh.GetNumberOfPoints() || !this->Mesh.HasFinitePoints())
+  {
+    return false;
+  }
+  const TriangleMesh mesh(surface);
+  const bool isWelded = surface->GetPointData()->HasArray(names::WeldedPointIds);
+  if (!mesh.HasFinitePoints() || mesh.GetNumberOfTriangles() != this->Mesh.GetNumberOfTriangles() ||
+    this->OriginalWeldedPoints != (isWelded ? GetWeldedPoints(surface) : std::vector<Index>()))
+  {
+    return false;
+  }
+  this->LengthScale = lengthScale > 0.0 ? lengthScale : npr::GetLengthScale(surface, mesh);
+  std::vector<TriangleMesh::Vector> points(this->PointIds.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i] = mesh.GetPoint(this->PointIds[i]);
+  }
+  this->Mesh.MovePoints(std::move(points), mesh.GetOrigin());
+  this->SetCoordinates();
+  this->Arrays.clear();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Points follow the curve, triangles their first points on it.
+void LineSurface::SetOrder(const TriangleMesh& mesh)
+{
+  const Index numberOfPoints = mesh.GetNumberOfPoints();
+  const Index numberOfTriangles = mesh.GetNumberOfTriangles();
+  {
+    std::vector<Eigen::Vector3d> points(numberOfPoints);
+    for (Index i = 0; i < numberOfPoints; ++i)
+    {
+      points[i] = mesh.GetPoint(i).cast<double>();
+    }
+    const std::vector<vtkIdType> order = GetHilbertOrder(points);
+    this->PointIds.assign(order.begin(), order.end());
+  }
+  std::vector<Index> places(numberOfPoints);
+  std::vector<TriangleMesh::Vector> points(numberOfPoints);
+  for (Index i = 0; i < numberOfPoints; ++i)
+  {
+    places[this->PointIds[i]] = i;
+    points[i] = mesh.GetPoint(this->PointIds[i]);
+  }
+  std::vector<Index> next(static_cast<std::size_t>(numberOfPoints) + 1, 0);
+  const auto getFirst = [&](Index t)
+  {
+    const TriangleMesh::Triangle& c = mesh.GetTriangle(t);
+    return std::min({ places[c[0]], places[c[1]], places[c[2]] });
+  };
+  for (Index t = 0; t < numberOfTriangles; ++t)
+  {
+    ++next[getFirst(t) + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<TriangleMesh::Triangle> triangles(numberOfTriangles);
+  this->CellIds.resize(numberOfTriangles);
+  for (Index t = 0; t < numberOfTriangles; ++t)
+  {
+    const Index place = next[getFirst(t)]++;
+    const TriangleMesh::Triangle& c = mesh.GetTriangle(t);
+    triangles[place] = { places[c[0]], places[c[1]], places[c[2]] };
+    this->CellIds[place] = mesh.GetCellId(t);
+  }
+  if (!this->OriginalWeldedPoints.empty())
+  {
+    this->WeldedPoints.resize(numberOfPoints);
+    for (Index i = 0; i < numberOfPoints; ++i)
+    {
+      this->WeldedPoints[i] = places[this->OriginalWeldedPoints[this->PointIds[i]]];
+    }
+  }
+  this->Mesh = TriangleMesh(std::move(points), std::move(triangles), mesh.GetOrigin());
+}
+
+//------------------------------------------------------------------------------
+void LineSurface::SetCoordinates()
+{
+  const Index numberOfPoints = this->Mesh.GetNumberOfPoints();
   for (int axis = 0; axis < 3; ++axis)
   {
     std::vector<float>& coordinates = this->Coordinates[axis];
@@ -36,16 +132,27 @@ LineSurface::LineSurface(vtkPolyData* surface, double lengthScale) : Mesh(surfac
       coordinates[i] = this->Mesh.GetPoint(i)[axis];
     }
   }
-  this->BuildTwins();
-  this->BuildSeams();
+}
+
+//------------------------------------------------------------------------------
+const LineSurface::Array* LineSurface::FindArray(const char* name) const
+{
+  for (const Array& array : this->Arrays)
+  {
+    if (array.Name == name)
+    {
+      return &array;
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------
 bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int components)
 {
-  if (this->HasArray(name))
+  if (const Array* loaded = this->FindArray(name))
   {
-    return true;
+    return static_cast<int>(loaded->Components.size()) == components;
   }
   vtkDataArray* array = surface->GetPointData()->GetArray(name);
   if (!array && std::string(name) == names::Normals)
@@ -58,22 +165,41 @@ bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int componen
   {
     return false;
   }
-  std::vector<std::vector<float>> spans(components, std::vector<float>(numberOfPoints));
+  this->Arrays.push_back({ name, {} });
+  std::vector<std::vector<float>>& spans = this->Arrays.back().Components;
+  spans.assign(components, std::vector<float>(numberOfPoints));
+  auto* const floats = vtkFloatArray::FastDownCast(array);
   vtkSMPTools::For(0, numberOfPoints,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<double> tuple(components);
       for (vtkIdType i = begin; i < end; ++i)
       {
-        array->GetTuple(i, tuple.data());
+        const vtkIdType point = this->PointIds[i];
+        if (floats)
+        {
+          std::copy_n(floats->GetPointer(point * components), components, tuple.begin());
+        }
+        else
+        {
+          array->GetTuple(point, tuple.data());
+        }
         for (int c = 0; c < components; ++c)
         {
           spans[c][i] = static_cast<float>(tuple[c]);
         }
       }
     });
-  this->Arrays.emplace(name, std::move(spans));
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::array<LineSurface::Index, 2> LineSurface::GetLowAndHigh(Index halfEdge) const
+{
+  const Index start = this->GetStart(halfEdge);
+  const Index end = this->GetEnd(halfEdge);
+  return this->GetWelded(start) < this->GetWelded(end) ? std::array<Index, 2>{ start, end }
+                                                       : std::array<Index, 2>{ end, start };
 }
 
 //------------------------------------------------------------------------------
@@ -107,6 +233,7 @@ void LineSurface::BuildTwins()
         }
       }
     });
+  this->Mesh.ReleaseNeighbours();
 }
 
 //------------------------------------------------------------------------------

@@ -7,12 +7,16 @@
 #include "nprTriangleMesh.h"
 #include "vtkNPRFiltersLinesModule.h"
 
+#include <vtkCellArray.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
@@ -38,6 +42,9 @@ public:
  * @brief All that lines need to know of a surface and that no view changes: its triangles, their
  * adjacency, and its point arrays as one span of floats for each component.
  *
+ * Points and triangles are numbered along a curve that fills space, so that those that lie together
+ * have numbers that lie together; GetPointId() and GetCellId() say what they are in the input.
+ *
  * A *twin* joins two triangles that share both points of an edge; fields run on across it. All
  * other half-edges stand on *seams*: borders, edges where the preparation split the points of a
  * crease (their points differ, their WeldedPointIds agree), and edges with more than two triangles.
@@ -51,19 +58,27 @@ public:
   /// A given `lengthScale` greater than 0 overrides what the data says.
   explicit LineSurface(vtkPolyData* surface, double lengthScale = 0.0);
 
+  /// Takes the points of a surface that has the same triangles, and with them whatever is at the
+  /// points: arrays are to be loaded again. False, and nothing has changed, if its triangles are
+  /// others.
+  bool Move(vtkPolyData* surface, double lengthScale = 0.0);
+
   const TriangleMesh& GetMesh() const { return this->Mesh; }
   double GetLengthScale() const { return this->LengthScale; }
+  vtkIdType GetPointId(Index point) const { return this->PointIds[point]; }
+  vtkIdType GetCellId(Index triangle) const { return this->CellIds[triangle]; }
 
   /// @name Point arrays
   ///@{
   /// Takes an array of the surface's point data with so many components. False when it has none.
   bool LoadArray(vtkPolyData* surface, const char* name, int components);
-  bool HasArray(const char* name) const { return this->Arrays.count(name) > 0; }
-  /// One component of an array that was loaded, or of the points, over all points.
+  bool HasArray(const char* name) const { return this->FindArray(name) != nullptr; }
+  /// One component of an array that was loaded, over all points.
   const float* GetComponent(const char* name, int component) const
   {
-    return this->Arrays.at(name)[component].data();
+    return this->FindArray(name)->Components[component].data();
   }
+  /// The points' coordinates, relative to the origin of the mesh.
   const float* GetCoordinate(int axis) const { return this->Coordinates[axis].data(); }
   ///@}
 
@@ -79,10 +94,14 @@ public:
     return this->Mesh.GetTriangle(halfEdge / 3)[(halfEdge + 1) % 3 == 0 ? 0 : halfEdge % 3 + 1];
   }
   Index GetTwin(Index halfEdge) const { return this->Twins[halfEdge]; }
+  /// A point that stands for all copies of one where creases split the surface.
   Index GetWelded(Index point) const
   {
-    return this->WeldedIds.empty() ? point : this->WeldedIds[point];
+    return this->WeldedPoints.empty() ? point : this->WeldedPoints[point];
   }
+  /// The points of a half-edge, in the order of their welded points: the same on all sides of an
+  /// edge.
+  std::array<Index, 2> GetLowAndHigh(Index halfEdge) const;
   ///@}
 
   /// Edges that have no twins: with one half-edge at a border, two where points are split.
@@ -92,17 +111,33 @@ public:
   void BuildInnerEdges();
 
 private:
+  struct Array
+  {
+    std::string Name;
+    std::vector<std::vector<float>> Components;
+  };
+  const Array* FindArray(const char* name) const;
+  void SetOrder(const TriangleMesh& mesh);
+  void SetCoordinates();
   void BuildTwins();
   void BuildSeams();
 
   TriangleMesh Mesh;
   double LengthScale = 0.0;
-  std::vector<Index> WeldedIds;
+  std::vector<Index> PointIds;
+  std::vector<vtkIdType> CellIds;
+  std::vector<Index> WeldedPoints; // empty where no point has copies
   std::vector<Index> Twins;
   EdgeList Seams;
   EdgeList InnerEdges;
   std::array<std::vector<float>, 3> Coordinates;
-  std::map<std::string, std::vector<std::vector<float>>> Arrays;
+  std::vector<Array> Arrays;
+
+  // What the triangles came from, to know them again. Kept, so that no others have their address.
+  vtkSmartPointer<vtkCellArray> Polygons;
+  vtkMTimeType PolygonsMTime = 0;
+  vtkIdType NumberOfCellsBefore = 0;
+  std::vector<Index> OriginalWeldedPoints;
 };
 }
 

@@ -52,6 +52,10 @@ public:
   /// as if they were in front.
   double Measure(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
+  /// How far a point, relative to the origin, is from the eye in the world; with a parallel
+  /// projection, from the plane through the camera across its direction.
+  double GetDistance(const Eigen::Vector3d& point) const;
+
 private:
   const Eigen::Matrix3d Linear;
   const Eigen::Vector3d Offset;

@@ -3,29 +3,30 @@
 #include "vtkNPRFeatureLines.h"
 
 #include "nprArrayNames.h"
+#include "nprFieldValues.h"
 #include "nprLineChains.h"
+#include "nprLineClusters.h"
 #include "nprLineExtractor.h"
+#include "nprLineJoiner.h"
+#include "nprLineOutput.h"
 #include "nprLineSurface.h"
 #include "nprLineView.h"
+#include "nprProgress.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkIntArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -46,62 +47,6 @@ Eigen::Matrix4d GetModelToWorld(vtkMatrix4x4* matrix)
   }
   return result;
 }
-
-// Collects the chains of all definitions.
-class Output
-{
-public:
-  explicit Output(const Eigen::Vector3d& origin) : Origin(origin)
-  {
-    this->Points->SetDataTypeToDouble();
-    this->Normals->SetName(npr::names::Normals);
-    this->Normals->SetNumberOfComponents(3);
-    this->Strength->SetName(npr::names::Strength);
-    this->LineType->SetName(npr::names::LineType);
-    this->LineLevel->SetName(npr::names::LineLevel);
-  }
-
-  void AddChain(const npr::LineChains& chains, std::size_t chain, int type, float level)
-  {
-    const std::size_t first = chains.Offsets[chain];
-    const std::size_t last = chains.Offsets[chain + 1];
-    const vtkIdType start = this->Points->GetNumberOfPoints();
-    this->Lines->InsertNextCell(static_cast<int>(last - first + (chains.Closed[chain] ? 1 : 0)));
-    for (std::size_t i = first; i < last; ++i)
-    {
-      const npr::LineVertex& vertex = chains.Vertices[i];
-      const Eigen::Vector3d position = this->Origin + vertex.Position;
-      this->Lines->InsertCellPoint(this->Points->InsertNextPoint(position.data()));
-      this->Normals->InsertNextTypedTuple(vertex.Normal.data());
-      this->Strength->InsertNextValue(vertex.Strength);
-    }
-    if (chains.Closed[chain])
-    {
-      this->Lines->InsertCellPoint(start);
-    }
-    this->LineType->InsertNextValue(type);
-    this->LineLevel->InsertNextValue(level);
-  }
-
-  void Finish(vtkPolyData* output)
-  {
-    output->SetPoints(this->Points);
-    output->SetLines(this->Lines);
-    output->GetPointData()->SetNormals(this->Normals);
-    output->GetPointData()->AddArray(this->Strength);
-    output->GetCellData()->AddArray(this->LineType);
-    output->GetCellData()->AddArray(this->LineLevel);
-  }
-
-private:
-  const Eigen::Vector3d Origin;
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Lines;
-  vtkNew<vtkFloatArray> Normals;
-  vtkNew<vtkFloatArray> Strength;
-  vtkNew<vtkIntArray> LineType;
-  vtkNew<vtkFloatArray> LineLevel;
-};
 }
 
 // The definitions, and what is kept from view to view.
@@ -113,25 +58,93 @@ public:
     vtkSmartPointer<vtkNPRLineDefinition> Definition;
     vtkMTimeType MTime = 0; // the definition's, when the rest was made
     std::unique_ptr<npr::LineExtractor> Extractor;
-    std::vector<float> Levels;
-    std::vector<npr::LineChains> Chains; // for each level, where no view changes them
-    std::vector<npr::LineChains> Extract(
-      const npr::LineView& view, const Eigen::Vector3d& origin) const
-    {
-      std::vector<npr::LineChains> chains;
-      for (const float level : this->Levels)
-      {
-        chains.push_back(npr::JoinSegments(this->Extractor->Extract(view, level), origin));
-      }
-      return chains;
-    }
+    npr::LineChains Chains;
+    npr::ChainIds Ids;
   };
   std::vector<Entry> Entries;
 
   std::unique_ptr<npr::LineSurface> Surface;
+  std::unique_ptr<npr::LineClusters> Clusters;
+  std::unique_ptr<npr::FieldValues> Values;
+  std::unique_ptr<npr::LineJoiner> Joiner;
+  npr::LineSegments Segments;
+  npr::LinePaths Paths;
+  int NextId = 0;
+
   vtkSmartPointer<vtkPolyData> Input; // kept, so that no other can have its address
   vtkMTimeType InputMTime = 0;
   double LengthScale = 0.0;
+  bool OutputSources = false;
+  npr::LineOptions Options; // of the lines that no view changes
+  std::array<double, NumberOfStages> StageSeconds = {};
+
+  // Adds the time since it was made to a stage.
+  class StageTimer
+  {
+  public:
+    StageTimer(Internals& internal, int stage) : Seconds(internal.StageSeconds[stage]) {}
+    ~StageTimer()
+    {
+      this->Seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+    }
+
+  private:
+    double& Seconds;
+    const std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+  };
+
+  void Extract(Entry& entry, const npr::LineView& view, const npr::LineOptions& options)
+  {
+    {
+      const StageTimer timer(*this, EXTRACT);
+      entry.Extractor->Extract(view, options, *this->Values, this->Segments);
+    }
+    {
+      const StageTimer timer(*this, JOIN);
+      this->Joiner->Join(this->Segments, this->Paths);
+    }
+    const StageTimer timer(*this, PLACE);
+    entry.Chains.Make(*this->Surface, this->Segments, this->Paths, this->OutputSources);
+  }
+
+  // Takes the points alone where the triangles are those of the last time.
+  void SetSurface(vtkPolyData* input, double lengthScale)
+  {
+    for (Entry& entry : this->Entries)
+    {
+      entry.Extractor.reset();
+    }
+    if (!this->Surface || !this->Surface->Move(input, lengthScale))
+    {
+      this->Values.reset();
+      this->Clusters.reset();
+      this->Surface = std::make_unique<npr::LineSurface>(input, lengthScale);
+      this->Joiner = std::make_unique<npr::LineJoiner>(*this->Surface);
+      this->NextId = 0;
+      for (Entry& entry : this->Entries)
+      {
+        entry.Ids = npr::ChainIds();
+      }
+    }
+    this->Input = input;
+    this->InputMTime = input->GetMTime();
+    this->LengthScale = lengthScale;
+  }
+
+  // Once the normals are there.
+  void SetClusters(bool haveMoved)
+  {
+    if (!this->Clusters)
+    {
+      this->Clusters = std::make_unique<npr::LineClusters>(*this->Surface);
+      this->Values = std::make_unique<npr::FieldValues>(*this->Surface, *this->Clusters);
+    }
+    else if (haveMoved)
+    {
+      this->Clusters->UpdateBounds();
+    }
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -232,20 +245,14 @@ vtkMTimeType vtkNPRFeatureLines::GetMTime()
 bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
 {
   Internals& internal = *this->Internal;
-  if (!internal.Surface || internal.Input != input || internal.InputMTime != input->GetMTime() ||
-    internal.LengthScale != this->LengthScale)
+  const Internals::StageTimer timer(internal, PREPARE);
+  const bool isNew = !internal.Surface || internal.Input != input ||
+    internal.InputMTime != input->GetMTime() || internal.LengthScale != this->LengthScale;
+  if (isNew)
   {
-    for (Internals::Entry& entry : internal.Entries)
-    {
-      entry.Extractor.reset();
-    }
-    internal.Surface = std::make_unique<npr::LineSurface>(input, this->LengthScale);
-    internal.Input = input;
-    internal.InputMTime = input->GetMTime();
-    internal.LengthScale = this->LengthScale;
+    internal.SetSurface(input, this->LengthScale);
   }
   npr::LineSurface& surface = *internal.Surface;
-
   for (Internals::Entry& entry : internal.Entries)
   {
     const vtkNPRLineDefinition& definition = *entry.Definition;
@@ -257,16 +264,33 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
                                      << required.Name << "\" with " << required.Components
                                      << " component(s), which the input does not have. Put "
                                      << required.Maker << " before this filter.");
+        internal.Surface.reset();
         return false;
+      }
+    }
+  }
+  for (const Internals::Entry& entry : internal.Entries)
+  {
+    for (const auto& array : entry.Definition->GetSlopeArrays())
+    {
+      if (this->Interpolation == HERMITE)
+      {
+        surface.LoadArray(input, array.Name, array.Components);
       }
     }
   }
   // Normals of lines are welcome, but creases and boundaries do without.
   surface.LoadArray(input, npr::names::Normals, 3);
+  internal.SetClusters(isNew);
 
+  const npr::LineOptions options = this->GetOptions();
+  const bool isStaticNew = options.UseSlopes != internal.Options.UseSlopes ||
+    this->OutputSources != internal.OutputSources;
+  internal.Options = options;
+  internal.OutputSources = this->OutputSources;
   for (Internals::Entry& entry : internal.Entries)
   {
-    if (entry.Extractor && entry.MTime == entry.Definition->GetMTime())
+    if (entry.Extractor && entry.MTime == entry.Definition->GetMTime() && !isStaticNew)
     {
       continue;
     }
@@ -274,36 +298,41 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
     {
       surface.BuildInnerEdges();
     }
-    entry.Extractor = std::make_unique<npr::LineExtractor>(surface, *entry.Definition);
+    entry.Extractor =
+      std::make_unique<npr::LineExtractor>(surface, *internal.Clusters, *entry.Definition);
     entry.MTime = entry.Definition->GetMTime();
-    entry.Levels = entry.Definition->HasField() ? entry.Definition->GetLevels(surface)
-                                                : std::vector<float>{ 0.0f };
     if (!entry.Definition->IsViewDependent())
     {
-      entry.Chains = entry.Extract(npr::LineView(), surface.GetMesh().GetOrigin());
+      internal.Extract(entry, npr::LineView(), options);
     }
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkNPRFeatureLines::IsWanted(
-  const npr::LineChains& chains, std::size_t chain, const npr::LineRuler* ruler) const
+npr::LineOptions vtkNPRFeatureLines::GetOptions() const
 {
-  const std::size_t first = chains.Offsets[chain];
-  const std::size_t last = chains.Offsets[chain + 1];
-  float strength = 0.0f;
-  double length = 0.0;
-  for (std::size_t v = first; v < last; ++v)
-  {
-    strength = std::max(strength, chains.Vertices[v].Strength);
-    const std::size_t next = v + 1 < last ? v + 1 : chains.Closed[chain] ? first : v;
-    if (this->MinimumLength > 0.0)
-    {
-      length += ruler->Measure(chains.Vertices[v].Position, chains.Vertices[next].Position);
-    }
-  }
-  return strength >= static_cast<float>(this->MinimumStrength) && length >= this->MinimumLength;
+  npr::LineOptions options;
+  options.Strategy = this->Strategy == FULL_TRAVERSAL ? npr::LineStrategy::Full
+    : this->Strategy == RANDOM_SEEDS                  ? npr::LineStrategy::Random
+                                                      : npr::LineStrategy::Hierarchical;
+  options.UseSlopes = this->Interpolation == HERMITE;
+  options.SeedShare = this->SeedShare;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNPRFeatureLines::GetStageName(int stage)
+{
+  static const std::array<const char*, NumberOfStages> names = { "prepare", "extract", "join",
+    "place", "write" };
+  return stage >= 0 && stage < NumberOfStages ? names[stage] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+double vtkNPRFeatureLines::GetStageSeconds(int stage) const
+{
+  return stage >= 0 && stage < NumberOfStages ? this->Internal->StageSeconds[stage] : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -313,6 +342,7 @@ int vtkNPRFeatureLines::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   Internals& internal = *this->Internal;
+  internal.StageSeconds.fill(0.0);
   if (internal.Entries.empty())
   {
     vtkErrorMacro("No lines to extract: call AddDefinition, for example with \"contours\".");
@@ -335,7 +365,7 @@ int vtkNPRFeatureLines::RequestData(
   }
   if (input->GetNumberOfPoints() == 0 || input->GetNumberOfPolys() == 0)
   {
-    Output(Eigen::Vector3d::Zero()).Finish(output);
+    npr::LineOutput(Eigen::Vector3d::Zero(), {}).Write(output);
     return 1;
   }
   if (!this->PrepareSurface(input))
@@ -360,40 +390,22 @@ int vtkNPRFeatureLines::RequestData(
     ruler = std::make_unique<npr::LineRuler>(this->Camera, modelToWorld, origin);
   }
 
-  Output lines(origin);
-  for (std::size_t i = 0; i < internal.Entries.size(); ++i)
+  npr::LineOutput lines(
+    origin, { this->MinimumLength, static_cast<float>(this->MinimumStrength), ruler.get() });
+  for (std::size_t i = 0; i < internal.Entries.size() && !npr::IsAborted(this); ++i)
   {
-#if NPR_VTK_AT_LEAST(9, 3)
-    const bool aborted = this->CheckAbort();
-#else
-    const bool aborted = this->GetAbortExecute() != 0;
-#endif
-    if (aborted)
-    {
-      break;
-    }
-    const Internals::Entry& entry = internal.Entries[i];
-    std::vector<npr::LineChains> made;
+    Internals::Entry& entry = internal.Entries[i];
     if (entry.Definition->IsViewDependent())
     {
-      made = entry.Extract(view, origin);
+      internal.Extract(entry, view, internal.Options);
     }
-    const std::vector<npr::LineChains>& levels =
-      entry.Definition->IsViewDependent() ? made : entry.Chains;
-    for (std::size_t level = 0; level < levels.size(); ++level)
-    {
-      const npr::LineChains& chains = levels[level];
-      for (std::size_t chain = 0; chain < chains.GetNumberOfChains(); ++chain)
-      {
-        if (this->IsWanted(chains, chain, ruler.get()))
-        {
-          lines.AddChain(chains, chain, static_cast<int>(i), entry.Levels[level]);
-        }
-      }
-    }
+    const Internals::StageTimer timer(internal, WRITE);
+    lines.Add(
+      entry.Chains, static_cast<int>(i), entry.Extractor->GetLevels(), entry.Ids, internal.NextId);
     this->UpdateProgress(0.5 + 0.5 * static_cast<double>(i + 1) / internal.Entries.size());
   }
-  lines.Finish(output);
+  const Internals::StageTimer timer(internal, WRITE);
+  lines.Write(output);
   return 1;
 }
 
@@ -406,6 +418,10 @@ void vtkNPRFeatureLines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LengthScale: " << this->LengthScale << "\n";
   os << indent << "MinimumLength: " << this->MinimumLength << "\n";
   os << indent << "MinimumStrength: " << this->MinimumStrength << "\n";
+  os << indent << "Strategy: " << this->Strategy << "\n";
+  os << indent << "SeedShare: " << this->SeedShare << "\n";
+  os << indent << "Interpolation: " << this->Interpolation << "\n";
+  os << indent << "OutputSources: " << this->OutputSources << "\n";
   os << indent << "Definitions: " << this->GetNumberOfDefinitions() << "\n";
   for (const Internals::Entry& entry : this->Internal->Entries)
   {

@@ -20,8 +20,11 @@
  * neighbouring triangles or edges with the front (the positive side of its field, or its triangle)
  * on its left, seen from outside. No piece has no length, and none comes twice within one kind.
  * Cell arrays LineType (index into the field data array LineTypeNames) and LineLevel (the value of
- * the field that the line is at, 0 for most kinds), point arrays Strength
- * (in [0, 1]) and Normals (the surface's).
+ * the field that the line is at, 0 for most kinds) and ChainId (a line keeps its number from view
+ * to view where that can be seen); point arrays Strength (in [0, 1]), Normals (the surface's),
+ * ArcLength (from the start of the line, in units of the input), with a camera ViewDistance (from
+ * the eye, in units of the world), and if wanted SourceCell (the cell of the input that the point
+ * is in) and SourceEdge (the points of the input at the ends of the edge that it is on).
  *
  * @par Props with a matrix
  * The eye is brought into the space of the model by the inverse of the matrix. A point is on a
@@ -31,7 +34,8 @@
  *
  * @par Cost
  * Work that no view changes (adjacency, arrays, triangles that are ruled out, view-independent
- * lines) is kept until the input or a definition changes.
+ * lines) is kept until the input or a definition changes; what depends on the triangles alone is
+ * kept while just the points of the input move.
  *
  * @sa vtkNPRLineDefinition
  */
@@ -43,7 +47,6 @@
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkSmartPointer.h>
 
-#include <cstddef>
 #include <memory>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -53,8 +56,7 @@ VTK_ABI_NAMESPACE_END
 class vtkNPRLineDefinition;
 namespace npr
 {
-class LineRuler;
-struct LineChains;
+struct LineOptions;
 }
 
 class VTKNPRFILTERSLINES_EXPORT vtkNPRFeatureLines : public vtkPolyDataAlgorithm
@@ -115,6 +117,68 @@ public:
   vtkGetMacro(MinimumStrength, double);
   ///@}
 
+  enum StrategyType
+  {
+    FULL_TRAVERSAL,
+    HIERARCHICAL,
+    RANDOM_SEEDS
+  };
+  ///@{
+  /// How the triangles are found that have lines. FULL_TRAVERSAL looks at all that are not ruled
+  /// out for all views; HIERARCHICAL finds the same lines, to the last bit, without looking at
+  /// clusters of triangles that can not have any in this view; RANDOM_SEEDS looks at some random
+  /// triangles and at those of the last view, and follows the lines that are there: it may miss
+  /// short ones (Markosian et al., "Real-time nonphotorealistic rendering", SIGGRAPH 1997). Lines
+  /// that no view changes are always found in full. Default is HIERARCHICAL.
+  vtkSetClampMacro(Strategy, int, FULL_TRAVERSAL, RANDOM_SEEDS);
+  vtkGetMacro(Strategy, int);
+  ///@}
+
+  ///@{
+  /// How many random triangles RANDOM_SEEDS begins at, as a share of all. Range [0, 1]. Default is
+  /// 0.005.
+  vtkSetClampMacro(SeedShare, double, 0.0, 1.0);
+  vtkGetMacro(SeedShare, double);
+  ///@}
+
+  enum InterpolationType
+  {
+    LINEAR,
+    HERMITE
+  };
+  ///@{
+  /// Where on an edge a line crosses: LINEAR goes by the values of the field at its ends, HERMITE
+  /// also by its slopes there, for definitions that know them (contours, where the input has
+  /// CurvatureTensor), which takes out most of the zig-zag of coarse meshes. Default is LINEAR.
+  vtkSetClampMacro(Interpolation, int, LINEAR, HERMITE);
+  vtkGetMacro(Interpolation, int);
+  ///@}
+
+  ///@{
+  /// Whether points say where on the input they are from: arrays SourceCell and SourceEdge. Default
+  /// is off.
+  vtkSetMacro(OutputSources, bool);
+  vtkGetMacro(OutputSources, bool);
+  vtkBooleanMacro(OutputSources, bool);
+  ///@}
+
+  enum StageType
+  {
+    PREPARE, ///< what no view changes
+    EXTRACT, ///< triangles and edges with lines
+    JOIN,    ///< to chains
+    PLACE,   ///< the chains' vertices
+    WRITE,   ///< the output
+    NumberOfStages
+  };
+  /// @name How long the stages of the last update took
+  ///@{
+  /// Null when the stage is out of range.
+  static const char* GetStageName(int stage);
+  /// In seconds.
+  double GetStageSeconds(int stage) const;
+  ///@}
+
   /// Also counts camera, matrix and definitions.
   vtkMTimeType GetMTime() override;
 
@@ -126,14 +190,17 @@ protected:
 
 private:
   bool PrepareSurface(vtkPolyData* input);
-  bool IsWanted(
-    const npr::LineChains& chains, std::size_t chain, const npr::LineRuler* ruler) const;
+  npr::LineOptions GetOptions() const;
 
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkMatrix4x4> Matrix;
   double LengthScale = 0.0;
   double MinimumLength = 0.0;
   double MinimumStrength = 0.0;
+  int Strategy = HIERARCHICAL;
+  double SeedShare = 0.005;
+  int Interpolation = LINEAR;
+  bool OutputSources = false;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

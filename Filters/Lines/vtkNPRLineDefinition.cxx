@@ -198,6 +198,14 @@ void vtkNPRLineDefinition::EvaluateAxes(const npr::LineSurface&, const npr::Line
 }
 
 //------------------------------------------------------------------------------
+void vtkNPRLineDefinition::EvaluateSlopes(const npr::LineSurface&, const npr::LineView&,
+  const Index*, const Index*, vtkIdType count, float* atFrom, float* atTo) const
+{
+  std::fill(atFrom, atFrom + count, 0.0f);
+  std::fill(atTo, atTo + count, 0.0f);
+}
+
+//------------------------------------------------------------------------------
 void vtkNPRLineDefinition::EvaluateTest(const npr::LineSurface&, const npr::LineView&, const Index*,
   vtkIdType count, const float*, float* test) const
 {

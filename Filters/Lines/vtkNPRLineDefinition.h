@@ -123,6 +123,23 @@ public:
   /// three points agree are never looked at. Only for fields whose one level is 0.
   virtual void BoundField(
     const npr::LineSurface& surface, vtkIdType begin, vtkIdType end, signed char* sign) const;
+  /// Where a line may be: only where n.v, the cosine of the angle between the normal and the
+  /// direction of the eye, is in this range somewhere in the triangle. Triangles whose points are
+  /// all outside need not be looked at. Default is everywhere.
+  virtual std::array<float, 2> GetFacingRange() const
+  {
+    return { -1.0f, 1.0f };
+  }
+  /// The arrays that EvaluateSlopes() needs, loaded where the input has them and slopes are wanted;
+  /// none where slopes are not known.
+  virtual std::vector<RequiredArray> GetSlopeArrays() const
+  {
+    return {};
+  }
+  /// Writes how fast the field changes at both ends of the edges from[i] to[i], i < count, per
+  /// length of the edge: the derivatives by t of the field at from + t (to - from).
+  virtual void EvaluateSlopes(const npr::LineSurface& surface, const npr::LineView& view,
+    const Index* from, const Index* to, vtkIdType count, float* atFrom, float* atTo) const;
   /// Whether the line also runs where the field jumps: along split edges on whose sides its signs
   /// differ, and along borders.
   virtual bool FollowsJumps() const
@@ -156,8 +173,8 @@ public:
     return false;
   }
   /// Writes test[i] for points[i], i < count. The line is accepted where the test is > 0, and its
-  /// strength rises smoothly from 0 there to 1 where the test is 1 or more. fall[points[i]] is how
-  /// fast the field falls along its axis, in its unit / length; null unless IsMaximum().
+  /// strength rises smoothly from 0 there to 1 where the test is 1 or more. fall[i] is how fast the
+  /// field falls there along its axis, in its unit / length; null unless IsMaximum().
   virtual void EvaluateTest(const npr::LineSurface& surface, const npr::LineView& view,
     const Index* points, vtkIdType count, const float* fall, float* test) const;
   ///@}

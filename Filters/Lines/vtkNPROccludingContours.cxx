@@ -6,12 +6,49 @@
 
 #include <vtkObjectFactory.h>
 
+#include <Eigen/Core>
+
 vtkStandardNewMacro(vtkNPROccludingContours);
 
 //------------------------------------------------------------------------------
 std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPROccludingContours::GetRequiredArrays() const
 {
   return { { npr::names::Normals, 3, "vtkNPRSurfaceNormals" } };
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPROccludingContours::GetSlopeArrays() const
+{
+  return { { npr::names::CurvatureTensor, 6, "vtkNPRCurvatureTensor" } };
+}
+
+//------------------------------------------------------------------------------
+void vtkNPROccludingContours::EvaluateSlopes(const npr::LineSurface& surface,
+  const npr::LineView& view, const Index* from, const Index* to, vtkIdType count, float* atFrom,
+  float* atTo) const
+{
+  const npr::TriangleMesh& mesh = surface.GetMesh();
+  const Eigen::Vector3f eye(view.Eye[0], view.Eye[1], view.Eye[2]);
+  // n.(eye - p) changes along x by II(x, eye - p) - n.x.
+  const auto getSlope = [&](Index point, const Eigen::Vector3f& edge)
+  {
+    const auto get = [&](const char* name, int component)
+    { return surface.GetComponent(name, component)[point]; };
+    const auto tensor = [&](int component) { return get(npr::names::CurvatureTensor, component); };
+    const Eigen::Vector3f turn(tensor(0) * edge.x() + tensor(3) * edge.y() + tensor(5) * edge.z(),
+      tensor(3) * edge.x() + tensor(1) * edge.y() + tensor(4) * edge.z(),
+      tensor(5) * edge.x() + tensor(4) * edge.y() + tensor(2) * edge.z());
+    const Eigen::Vector3f normal(
+      get(npr::names::Normals, 0), get(npr::names::Normals, 1), get(npr::names::Normals, 2));
+    return turn.dot(eye - view.Perspective * mesh.GetPoint(point)) -
+      view.Perspective * normal.dot(edge);
+  };
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const Eigen::Vector3f edge = mesh.GetPoint(to[i]) - mesh.GetPoint(from[i]);
+    atFrom[i] = getSlope(from[i], edge);
+    atTo[i] = getSlope(to[i], edge);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -39,6 +39,13 @@ public:
   {
     return true;
   }
+  std::array<float, 2> GetFacingRange() const override
+  {
+    return { 0.0f, 0.0f };
+  }
+  std::vector<RequiredArray> GetSlopeArrays() const override;
+  void EvaluateSlopes(const npr::LineSurface& surface, const npr::LineView& view, const Index* from,
+    const Index* to, vtkIdType count, float* atFrom, float* atTo) const override;
   bool FollowsJumps() const override
   {
     return true;

@@ -64,7 +64,7 @@ void vtkNPRRidges::EvaluateTest(const npr::LineSurface& surface, const npr::Line
       continue;
     }
     const double least = this->Sharpness * curvature * curvature * curvature;
-    const double sharp = (scale * scale * scale * fall[points[j]] - least) / least;
+    const double sharp = (scale * scale * scale * fall[j] - least) / least;
     // In this order a NaN stays.
     test[j] = static_cast<float>(rise < sharp ? rise : sharp);
   }

@@ -78,6 +78,10 @@ public:
   }
   void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view, vtkIdType begin,
     vtkIdType end, float* field) const override;
+  std::array<float, 2> GetFacingRange() const override
+  {
+    return { 0.0f, 1.0f };
+  }
   void BoundField(const npr::LineSurface& surface, vtkIdType begin, vtkIdType end,
     signed char* sign) const override;
   bool HasTest() const override

@@ -7,7 +7,7 @@
 #ifndef nprHilbertOrder_h
 #define nprHilbertOrder_h
 
-#include "vtkNPRFiltersSurfacesModule.h"
+#include "vtkNPRFiltersCoreModule.h"
 #include <vtkType.h>
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ namespace npr
  * 2004). Neighbours in the order are neighbours in space, and mostly the other way round. Equal
  * points keep their order; what is not finite comes last.
  */
-VTKNPRFILTERSSURFACES_EXPORT std::vector<vtkIdType> GetHilbertOrder(
+VTKNPRFILTERSCORE_EXPORT std::vector<vtkIdType> GetHilbertOrder(
   const std::vector<Eigen::Vector3d>& points);
 }
 

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprEdgePieces.h"
+
+#include "vtkNPRLineDefinition.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace npr
+{
+namespace
+{
+using Index = TriangleMesh::Index;
+
+// Large enough that a virtual call a block costs nothing, small enough to balance the threads.
+constexpr vtkIdType EdgesOfBlock = 4096;
+
+// Appends what add(begin, end, pieces) finds, in the order of the edges.
+template<typename Add>
+void AddInBlocks(vtkIdType size, std::vector<LinePiece>& pieces, const Add& add)
+{
+  std::vector<std::vector<LinePiece>> blocks((size + EdgesOfBlock - 1) / EdgesOfBlock);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType block = first; block < last; ++block)
+      {
+        add(block * EdgesOfBlock, std::min(size, (block + 1) * EdgesOfBlock), blocks[block]);
+      }
+    });
+  for (const std::vector<LinePiece>& block : blocks)
+  {
+    pieces.insert(pieces.end(), block.begin(), block.end());
+  }
+}
+
+LinePiece GetWholeEdge(
+  const LineSurface& surface, const Index* sides, const Index* sidesEnd, float strength)
+{
+  // In the direction of its first triangle, which is then on the left.
+  const Index start = surface.GetStart(*sides);
+  const Index stop = surface.GetEnd(*sides);
+  const float fromLow = start == surface.GetLowAndHigh(*sides)[0] ? 0.0f : 1.0f;
+  return { sides, sidesEnd, { LineNode{ start, start, 0.0f }, LineNode{ stop, stop, 0.0f } },
+    { LinePiece::NoHalfEdge, LinePiece::NoHalfEdge }, { fromLow, 1.0f - fromLow }, strength };
+}
+
+// One side of a seam, which has a field of its own along it.
+struct Side
+{
+  bool Forward;                 // the triangle runs from the low point to the high one
+  std::array<bool, 2> Positive; // at low, at high
+  std::size_t Change;           // the first interval after the change of sign
+  bool IsPositive(std::size_t interval) const { return this->Positive[interval >= this->Change]; }
+};
+
+struct Place
+{
+  LineNode Node;
+  Index HalfEdge;
+  float FromLow;
+  std::size_t Owner; // the side whose sign changes here
+};
+
+// Where the field is 0 on a half-edge that is crossed, with the same bits as in its triangle.
+Place GetPlace(
+  const LineSurface& surface, const FieldValues& values, Index halfEdge, std::size_t owner)
+{
+  Index from = surface.GetStart(halfEdge);
+  Index to = surface.GetEnd(halfEdge);
+  if (values[from] < 0.0f)
+  {
+    std::swap(from, to);
+  }
+  const double distance = std::abs(double(values[from]));
+  const float t = static_cast<float>(distance / (distance + std::abs(double(values[to]))));
+  return { { from, to, t }, t == 0.0f ? LinePiece::NoHalfEdge : halfEdge,
+    from == surface.GetLowAndHigh(halfEdge)[0] ? t : 1.0f - t, owner };
+}
+
+void AddJumpPiecesOfEdge(const LineSurface& surface, const FieldValues& values, const Index* begin,
+  const Index* end, std::vector<Side>& sides, std::vector<Place>& places,
+  std::vector<LinePiece>& pieces)
+{
+  sides.clear();
+  places.clear();
+  for (const Index* h = begin; h != end; ++h)
+  {
+    const auto [low, high] = surface.GetLowAndHigh(*h);
+    if (!std::isfinite(values[low]) || !std::isfinite(values[high]))
+    {
+      continue;
+    }
+    sides.push_back(
+      { low == surface.GetStart(*h), { values[low] >= 0.0f, values[high] >= 0.0f }, 0 });
+    if (sides.back().Positive[0] != sides.back().Positive[1])
+    {
+      places.push_back(GetPlace(surface, values, *h, sides.size() - 1));
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+    [](const Place& a, const Place& b) { return a.FromLow < b.FromLow; });
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    sides[places[i].Owner].Change = i + 1;
+  }
+  const auto [low, high] = surface.GetLowAndHigh(*begin);
+  places.insert(places.begin(), { { low, low, 0.0f }, LinePiece::NoHalfEdge, 0.0f, 0 });
+  places.push_back({ { high, high, 0.0f }, LinePiece::NoHalfEdge, 1.0f, 0 });
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  {
+    const auto isPositive = [i](const Side& side) { return side.IsPositive(i); };
+    const auto front = std::find_if(sides.begin(), sides.end(), isPositive);
+    const bool mixed = front != sides.end() && !std::all_of(sides.begin(), sides.end(), isPositive);
+    if (mixed &&
+      GetKey(surface, places[i].Node, places[i].HalfEdge) !=
+        GetKey(surface, places[i + 1].Node, places[i + 1].HalfEdge))
+    {
+      const Place& from = places[front->Forward ? i : i + 1];
+      const Place& to = places[front->Forward ? i + 1 : i];
+      pieces.push_back({ begin, end, { from.Node, to.Node }, { from.HalfEdge, to.HalfEdge },
+        { from.FromLow, to.FromLow }, 1.0f });
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void AddJumpPieces(
+  const LineSurface& surface, const FieldValues& values, std::vector<LinePiece>& pieces)
+{
+  const EdgeList& seams = surface.GetSeams();
+  AddInBlocks(seams.GetNumberOfEdges(), pieces,
+    [&](vtkIdType first, vtkIdType last, std::vector<LinePiece>& found)
+    {
+      std::vector<Side> sides;
+      std::vector<Place> places;
+      for (Index edge = static_cast<Index>(first); edge < last; ++edge)
+      {
+        const Index* begin = seams.Begin(edge);
+        const Index* end = seams.End(edge);
+        if (end - begin == 1)
+        {
+          // Nothing is on the other side of a border, so the line runs along all of it.
+          found.push_back(GetWholeEdge(surface, begin, end, 1.0f));
+        }
+        else
+        {
+          AddJumpPiecesOfEdge(surface, values, begin, end, sides, places, found);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void AddEdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& definition,
+  const LineView& view, std::vector<LinePiece>& pieces)
+{
+  const vtkNPRLineDefinition::EdgeKind kind = definition.GetEdges();
+  if (kind == vtkNPRLineDefinition::NoEdges)
+  {
+    return;
+  }
+  std::vector<LinePiece> found;
+  const auto add = [&](const EdgeList& edges)
+  {
+    AddInBlocks(edges.GetNumberOfEdges(), found,
+      [&](vtkIdType begin, vtkIdType end, std::vector<LinePiece>& accepted)
+      {
+        std::vector<float> strength(end - begin, 0.0f);
+        definition.EvaluateEdges(surface, view, edges, begin, end, strength.data());
+        for (Index edge = static_cast<Index>(begin); edge < end; ++edge)
+        {
+          if (strength[edge - begin] > 0.0f)
+          {
+            accepted.push_back(
+              GetWholeEdge(surface, edges.Begin(edge), edges.End(edge), strength[edge - begin]));
+          }
+        }
+      });
+  };
+  add(surface.GetSeams());
+  if (kind == vtkNPRLineDefinition::AllEdges)
+  {
+    add(surface.GetInnerEdges());
+  }
+  if (definition.GetLeastRow() > 1.0)
+  {
+    DropShortRows(surface, definition.GetLeastRow(), found);
+  }
+  pieces.insert(pieces.end(), found.begin(), found.end());
+}
+}

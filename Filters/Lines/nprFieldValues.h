@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprFieldValues_h
+#define nprFieldValues_h
+
+#include "nprFieldAxes.h"
+#include "nprLineClusters.h"
+#include "nprLineSurface.h"
+#include "vtkNPRFiltersLinesModule.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkNPRLineDefinition;
+
+namespace npr
+{
+/**
+ * @class FieldValues
+ * @brief The field and the test of a definition at the points of a surface, where they are wanted.
+ *
+ * First whoever looks for lines says what is required, from as many threads as there are; then all
+ * of it is evaluated at once. A value does not depend on what else is required, so that lines are
+ * the same however they are looked for. Start() serves one definition after another with the same
+ * memory.
+ */
+class VTKNPRFILTERSLINES_EXPORT FieldValues
+{
+public:
+  using Index = TriangleMesh::Index;
+  /// How many levels are not above a value, the lowest first.
+  using Side = std::uint16_t;
+  static constexpr Side NotANumber = 0xffff;
+
+  /// Both must outlive this.
+  FieldValues(const LineSurface& surface, const LineClusters& clusters);
+
+  /// Forgets what was. The levels, in ascending order, and the axes must stay while this is used;
+  /// axes are null where the field has one value, and are given their vectors here where these
+  /// depend on the view.
+  void Start(const vtkNPRLineDefinition& definition, const LineView& view,
+    const std::vector<float>& levels, FieldAxes* axes);
+
+  /// @name The field
+  ///@{
+  void Require(Index block)
+  {
+    if (this->Blocks[block].load(std::memory_order_relaxed) == 0)
+    {
+      this->Blocks[block].store(1, std::memory_order_relaxed);
+    }
+  }
+  void RequireAll();
+  void Evaluate();
+  /// At once; for one thread alone.
+  void EvaluateNow(Index block);
+  const float* Get() const { return this->Field.data(); }
+  float operator[](Index point) const { return this->Field[point]; }
+  Side GetSide(Index point) const { return this->Sides[point]; }
+  ///@}
+
+  /// @name The test
+  ///@{
+  void RequireTest(Index point)
+  {
+    this->TestParts[point / PointsOfPart].store(1, std::memory_order_relaxed);
+    this->TestPoints[point].store(1, std::memory_order_relaxed);
+  }
+  /// Forgets what was required. Needs the field around the points where it is to have a maximum.
+  void EvaluateTests();
+  float GetTest(Index point) const { return this->Test[point]; }
+  ///@}
+
+private:
+  static constexpr Index PointsOfPart = 1024;
+  using Flags = std::unique_ptr<std::atomic<unsigned char>[]>;
+
+  void EvaluateSpan(Index begin, Index end);
+
+  const LineSurface& Surface;
+  const vtkNPRLineDefinition* Definition = nullptr;
+  LineView View;
+  const std::vector<float>* Levels = nullptr;
+  FieldAxes* Axes = nullptr;
+  const Index NumberOfPoints;
+  const Index NumberOfBlocks;
+  const Index NumberOfParts;
+  Flags Blocks; // 1 required, 2 evaluated
+  Flags TestParts;
+  Flags TestPoints;
+  std::vector<float> Field;
+  std::vector<Side> Sides;
+  std::vector<float> Test;
+  std::array<std::vector<float>, 3> ViewAxes;
+};
+}
+
+#endif

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprLineClusters.h"
+
+#include "nprArrayNames.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace npr
+{
+namespace
+{
+// More than single precision can be wrong by in a bound of n.v.
+constexpr float Margin = 1.0e-4f;
+}
+
+//------------------------------------------------------------------------------
+LineClusters::LineClusters(const LineSurface& surface)
+  : Surface(surface),
+    NumberOfClusters(
+      (surface.GetMesh().GetNumberOfTriangles() + TrianglesOfCluster - 1) / TrianglesOfCluster),
+    NumberOfGroups((NumberOfClusters + ClustersOfGroup - 1) / ClustersOfGroup),
+    NumberOfBlocks((surface.GetMesh().GetNumberOfPoints() + PointsOfBlock - 1) / PointsOfBlock)
+{
+  this->FindBlocks();
+  this->Clusters.Resize(this->NumberOfClusters);
+  this->Groups.Resize(this->NumberOfGroups);
+  this->UpdateBounds();
+}
+
+//------------------------------------------------------------------------------
+LineClusters::Index LineClusters::GetTriangleEnd(Index cluster) const
+{
+  return std::min(
+    (cluster + 1) * TrianglesOfCluster, this->Surface.GetMesh().GetNumberOfTriangles());
+}
+
+//------------------------------------------------------------------------------
+void LineClusters::FindBlocks()
+{
+  this->BlockOffsets.assign(1, 0);
+  std::vector<Index> blocks;
+  for (Index cluster = 0; cluster < this->NumberOfClusters; ++cluster)
+  {
+    blocks.clear();
+    for (Index t = this->GetFirstTriangle(cluster); t < this->GetTriangleEnd(cluster); ++t)
+    {
+      for (const Index point : this->Surface.GetMesh().GetTriangle(t))
+      {
+        const Index block = point / PointsOfBlock;
+        if (std::find(blocks.rbegin(), blocks.rend(), block) == blocks.rend())
+        {
+          blocks.push_back(block);
+        }
+      }
+    }
+    this->Blocks.insert(this->Blocks.end(), blocks.begin(), blocks.end());
+    this->BlockOffsets.push_back(static_cast<Index>(this->Blocks.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineClusters::UpdateBounds()
+{
+  vtkSMPTools::For(0, this->NumberOfGroups,
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (Index group = static_cast<Index>(begin); group < end; ++group)
+      {
+        const Index first = group * ClustersOfGroup;
+        const Index last = std::min(first + ClustersOfGroup, this->NumberOfClusters);
+        for (Index cluster = first; cluster < last; ++cluster)
+        {
+          this->Clusters.Measure(
+            this->Surface, this->GetFirstTriangle(cluster), this->GetTriangleEnd(cluster), cluster);
+        }
+        this->Groups.Measure(
+          this->Surface, this->GetFirstTriangle(first), this->GetTriangleEnd(last - 1), group);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void LineClusters::Bounds::Resize(std::size_t size)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Centres[i].resize(size);
+    this->Axes[i].resize(size);
+  }
+  this->Radii.resize(size);
+  this->Cosines.resize(size);
+  this->Sines.resize(size);
+}
+
+//------------------------------------------------------------------------------
+void LineClusters::Bounds::Measure(const LineSurface& surface, Index begin, Index end, Index place)
+{
+  const TriangleMesh& mesh = surface.GetMesh();
+  std::array<const float*, 3> normals = { nullptr, nullptr, nullptr };
+  if (surface.HasArray(names::Normals))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      normals[i] = surface.GetComponent(names::Normals, i);
+    }
+  }
+  const auto getNormal = [&normals](Index point) -> Eigen::Vector3f {
+    return { normals[0][point], normals[1][point], normals[2][point] };
+  };
+
+  Eigen::Vector3f low = mesh.GetPoint(mesh.GetTriangle(begin)[0]);
+  Eigen::Vector3f high = low;
+  Eigen::Vector3f axis = Eigen::Vector3f::Zero();
+  bool isKnown = normals[0] != nullptr;
+  for (Index t = begin; t < end; ++t)
+  {
+    for (const Index point : mesh.GetTriangle(t))
+    {
+      low = low.cwiseMin(mesh.GetPoint(point));
+      high = high.cwiseMax(mesh.GetPoint(point));
+      if (isKnown)
+      {
+        axis += getNormal(point);
+      }
+    }
+  }
+  const Eigen::Vector3f centre = low + 0.5f * (high - low);
+  axis.normalize();
+  isKnown = isKnown && axis.allFinite();
+  float square = 0.0f;
+  float cosine = 1.0f;
+  for (Index t = begin; t < end; ++t)
+  {
+    for (const Index point : mesh.GetTriangle(t))
+    {
+      square = std::max(square, (mesh.GetPoint(point) - centre).squaredNorm());
+      if (isKnown)
+      {
+        const Eigen::Vector3f normal = getNormal(point);
+        const float length = normal.norm();
+        // Written so that what is not a number makes the cone unknown.
+        const float here = normal.dot(axis) / length;
+        isKnown = here >= -1.01f;
+        cosine = std::min(cosine, here);
+      }
+    }
+  }
+  cosine = isKnown ? std::max(cosine, -1.0f) : -1.0f;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Centres[i][place] = centre[i];
+    this->Axes[i][place] = isKnown ? axis[i] : 0.0f;
+  }
+  this->Radii[place] = std::sqrt(square);
+  this->Cosines[place] = cosine;
+  this->Sines[place] = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
+}
+
+//------------------------------------------------------------------------------
+bool LineClusters::Bounds::MayFace(
+  const LineView& view, const std::array<float, 2>& range, Index i) const
+{
+  const Eigen::Vector3f eye = Eigen::Vector3f(view.Eye[0], view.Eye[1], view.Eye[2]) -
+    view.Perspective *
+      Eigen::Vector3f(this->Centres[0][i], this->Centres[1][i], this->Centres[2][i]);
+  const float distance = eye.norm();
+  const float radius = view.Perspective * this->Radii[i];
+  // Written so that what is not a number may be anything.
+  if (!(distance > radius) || !(this->Cosines[i] > -1.0f))
+  {
+    return true;
+  }
+  // How far a normal may be from the axis, and the direction of the eye from that at the centre, in
+  // sum; and how far apart the axis and the eye are at the centre.
+  const float spreadSine = radius / distance;
+  const float spreadCosine = std::sqrt(1.0f - spreadSine * spreadSine);
+  const float cosine = this->Cosines[i] * spreadCosine - this->Sines[i] * spreadSine;
+  const float sine = this->Sines[i] * spreadCosine + this->Cosines[i] * spreadSine;
+  if (!(sine >= 0.0f))
+  {
+    return true;
+  }
+  const float middle =
+    (this->Axes[0][i] * eye.x() + this->Axes[1][i] * eye.y() + this->Axes[2][i] * eye.z()) /
+    distance;
+  const float across = std::sqrt(std::max(0.0f, 1.0f - middle * middle));
+  const float low = middle <= -cosine ? -1.0f : middle * cosine - across * sine;
+  const float high = middle >= cosine ? 1.0f : middle * cosine + across * sine;
+  return low <= range[1] + Margin && high >= range[0] - Margin;
+}
+
+//------------------------------------------------------------------------------
+void LineClusters::FindFacing(const LineView& view, const std::array<float, 2>& range, Index group,
+  std::vector<Index>& clusters) const
+{
+  if (!this->Groups.MayFace(view, range, group))
+  {
+    return;
+  }
+  const Index first = group * ClustersOfGroup;
+  const Index last = std::min(first + ClustersOfGroup, this->NumberOfClusters);
+  for (Index cluster = first; cluster < last; ++cluster)
+  {
+    if (this->Clusters.MayFace(view, range, cluster))
+    {
+      clusters.push_back(cluster);
+    }
+  }
+}
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprLineOutput_h
+#define nprLineOutput_h
+
+#include "nprLineChains.h"
+#include "nprLineView.h"
+#include "nprVTKCompat.h"
+#include "vtkNPRFiltersLinesModule.h"
+
+#include <vtkType.h>
+
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
+namespace npr
+{
+/**
+ * @class ChainIds
+ * @brief Gives the lines of one definition numbers that they keep from view to view.
+ *
+ * A chain takes the number of the chain that ran through most of its places before; of several that
+ * want one number that with the most such places has it, and the others get new ones.
+ */
+class VTKNPRFILTERSLINES_EXPORT ChainIds
+{
+public:
+  /// One for each of the chosen chains, all different. `next` is the first that was never given,
+  /// here or to other definitions, and goes on.
+  std::vector<int> Update(
+    const LineChains& chains, const std::vector<std::size_t>& chosen, int& next);
+
+private:
+  std::vector<int> LastIds; // of places on the surface
+};
+
+/**
+ * @class LineOutput
+ * @brief Writes the chains of all definitions into one vtkPolyData.
+ */
+class VTKNPRFILTERSLINES_EXPORT LineOutput
+{
+public:
+  /// What is left out, and what is written of the rest.
+  struct Options
+  {
+    double MinimumLength = 0.0; ///< heights of the view
+    float MinimumStrength = 0.0f;
+    const LineRuler* Ruler = nullptr; ///< null where there is no camera
+  };
+
+  LineOutput(const Eigen::Vector3d& origin, const Options& options)
+    : Origin(origin), Settings(options)
+  {
+  }
+
+  /// All must live until the output is written. `type` is the definition's number, `levels` its
+  /// levels.
+  void Add(const LineChains& chains, int type, const std::vector<float>& levels, ChainIds& ids,
+    int& nextId);
+  /// Points, lines, and their arrays.
+  void Write(vtkPolyData* output) const;
+
+private:
+  struct Chosen
+  {
+    const LineChains* Chains;
+    std::size_t Chain;
+    vtkIdType FirstPoint;
+    vtkIdType FirstCorner;
+    int Type;
+    int Id;
+    float Level;
+  };
+  bool IsWanted(const LineChains& chains, std::size_t chain) const;
+
+  const Eigen::Vector3d Origin;
+  const Options Settings;
+  std::vector<Chosen> Lines;
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCorners = 0;
+};
+}
+
+#endif
