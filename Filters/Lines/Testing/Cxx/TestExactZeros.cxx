@@ -1,12 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fields that are exactly 0 at points and along edges: no line may get lost or come twice. Also the
-// pattern for a definition of one's own.
+// Fields that are exactly 0 at points and along edges: no line may get lost or come twice.
+#include "nprGivenLines.h"
 #include "nprLineTesting.h"
-
-#include "vtkNPRLineDefinition.h"
-
-#include <vtkObjectFactory.h>
 
 #include <functional>
 
@@ -14,30 +10,6 @@ using namespace nprtest;
 
 namespace
 {
-class GivenField : public vtkNPRLineDefinition
-{
-public:
-  static GivenField* New();
-  vtkTypeMacro(GivenField, vtkNPRLineDefinition);
-  const char* GetName() const override { return "given"; }
-  const char* GetDescription() const override { return "where the array Field is 0"; }
-  bool IsViewDependent() const override { return false; }
-  std::vector<RequiredArray> GetRequiredArrays() const override
-  {
-    return { { "Field", 1, "a test" } };
-  }
-  bool HasField() const override { return true; }
-  bool FollowsJumps() const override { return this->Jumps; }
-  void EvaluateField(const npr::LineSurface& surface, const npr::LineView&, vtkIdType begin,
-    vtkIdType end, float* field) const override
-  {
-    std::copy(surface.GetComponent("Field", 0) + begin, surface.GetComponent("Field", 0) + end,
-      field + begin);
-  }
-  bool Jumps = false;
-};
-vtkStandardNewMacro(GivenField);
-
 // The lines of a field on the square [-4, 4]^2 of 8 x 8 cells.
 std::vector<Chain> ExtractField(const std::function<double(double, double)>& function)
 {
@@ -56,7 +28,7 @@ std::vector<Chain> ExtractField(const std::function<double(double, double)>& fun
       field->SetTuple1(i * n + j, function(x, y));
     }
   }
-  vtkNew<GivenField> definition;
+  vtkNew<GivenLines> definition;
   vtkNew<vtkNPRFeatureLines> lines;
   lines->AddDefinition(definition);
   lines->SetInputData(square);
@@ -108,7 +80,7 @@ void TestJumps(Checks& check)
     normals->SetTuple3(i, 0.0, 0.0, 1.0);
     field->SetTuple1(i, values[i]);
   }
-  vtkNew<GivenField> definition;
+  vtkNew<GivenLines> definition;
   definition->Jumps = true;
   vtkNew<vtkNPRFeatureLines> lines;
   lines->AddDefinition(definition);

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines of fields whose sign belongs to an axis that may point either way.
+#include "nprGivenLines.h"
 #include "nprLineTesting.h"
 
-#include "vtkNPRLineDefinition.h"
-
 #include <vtkMinimalStandardRandomSequence.h>
-#include <vtkObjectFactory.h>
 
 #include <functional>
 
@@ -14,34 +12,6 @@ using namespace nprtest;
 
 namespace
 {
-// The zero set of the array "Field", whose sign belongs to the array "Axes".
-class AxisLines : public vtkNPRLineDefinition
-{
-public:
-  static AxisLines* New();
-  vtkTypeMacro(AxisLines, vtkNPRLineDefinition);
-  const char* GetName() const override { return "axis-lines"; }
-  const char* GetDescription() const override { return "zeros of an array"; }
-  bool IsViewDependent() const override { return false; }
-  std::vector<RequiredArray> GetRequiredArrays() const override
-  {
-    return { { npr::names::Normals, 3, "the test" }, { "Axes", 3, "the test" },
-      { "Field", 1, "the test" } };
-  }
-  bool HasField() const override { return true; }
-  const char* GetAxes() const override { return "Axes"; }
-  void EvaluateField(const npr::LineSurface& surface, const npr::LineView&, vtkIdType begin,
-    vtkIdType end, float* field) const override
-  {
-    std::copy(surface.GetComponent("Field", 0) + begin, surface.GetComponent("Field", 0) + end,
-      field + begin);
-  }
-
-protected:
-  AxisLines() = default;
-};
-vtkStandardNewMacro(AxisLines);
-
 constexpr int Size = 21;
 
 /// The square [-1, 1]^2. `at` gives an axis and the field's value for it, at random one way or the
@@ -67,7 +37,8 @@ std::vector<Chain> Extract(
     axes->SetTuple(i, Vector(way * axis).data());
     field->SetTuple1(i, way * value);
   }
-  vtkNew<AxisLines> definition;
+  vtkNew<GivenLines> definition;
+  definition->Axial = true;
   vtkNew<vtkNPRFeatureLines> lines;
   lines->AddDefinition(definition);
   lines->SetInputData(surface);
