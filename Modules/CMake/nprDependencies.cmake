@@ -15,7 +15,8 @@ set(build_components RenderingFreeType)
 set(python_components)
 if (BUILD_TESTING)
   list(APPEND build_components
-    CommonComputationalGeometry CommonMisc FiltersParallel FiltersSources FiltersTexture IOExport)
+    CommonComputationalGeometry CommonMisc
+    FiltersHybrid FiltersParallel FiltersSources FiltersTexture IOExport)
   list(APPEND python_components Interpreter)
 endif ()
 if (NPR_WRAP_PYTHON)

@@ -7,14 +7,17 @@
 #ifndef nprBenchmarkCost_h
 #define nprBenchmarkCost_h
 
+#include <vtkSMPTools.h>
+
 #include <malloc.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace nprbench
 {
@@ -24,12 +27,19 @@ struct Cost
   double Processor = 1e30; // of all threads
 };
 
+/// TBB, once held to one thread, would not take two again.
+inline void UseThreads(int threads)
+{
+  vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "TBB");
+  vtkSMPTools::Initialize(threads);
+}
+
+/// By a clock that also knows parts of a scheduler's tick.
 inline double GetProcessorSeconds()
 {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
-    1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return time.tv_sec + 1e-9 * time.tv_nsec;
 }
 
 /// The least of several runs.
@@ -46,6 +56,28 @@ inline Cost Measure(int runs, const std::function<void()>& work)
     cost.Processor = std::min(cost.Processor, GetProcessorSeconds() - processor);
   }
   return cost;
+}
+
+/// The mean over many pieces of work, each the least of several runs.
+inline Cost MeasureMean(int count, int runs, const std::function<void(int)>& work)
+{
+  std::vector<Cost> least(count);
+  for (int run = 0; run < runs; ++run)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      const Cost cost = Measure(1, [&]() { work(i); });
+      least[i].Wall = std::min(least[i].Wall, cost.Wall);
+      least[i].Processor = std::min(least[i].Processor, cost.Processor);
+    }
+  }
+  Cost mean{ 0.0, 0.0 };
+  for (const Cost& cost : least)
+  {
+    mean.Wall += cost.Wall / count;
+    mean.Processor += cost.Processor / count;
+  }
+  return mean;
 }
 
 /// A line of /proc/self/status, in megabytes: VmRSS, or VmHWM, its largest value so far.

@@ -30,8 +30,9 @@ constexpr double Radius = 1.0; // of the torus
 constexpr double Tube = 0.4;
 
 //------------------------------------------------------------------------------
-/// Around z, in rows around the tube; triangles of about equal sides.
-inline Surface MakeTorus(int triangles)
+/// Around z, in rows around the tube; triangles of about equal sides. Bumps make the tube thicker
+/// and thinner by this share of itself.
+inline Surface MakeTorus(int triangles, double bumps = 0.0)
 {
   const int columns = std::max(3, static_cast<int>(std::sqrt(triangles / 2.0 * Tube / Radius)));
   const int rows = std::max(3, triangles / 2 / columns);
@@ -44,8 +45,9 @@ inline Surface MakeTorus(int triangles)
     for (int j = 0; j < columns; ++j)
     {
       const double v = 2.0 * Pi * j / columns;
-      const double rho = Radius + Tube * std::cos(v);
-      points->InsertNextPoint(rho * std::cos(u), rho * std::sin(u), Tube * std::sin(v));
+      const double tube = Tube * (1.0 + bumps * std::sin(17.0 * u) * std::sin(7.0 * v));
+      const double rho = Radius + tube * std::cos(v);
+      points->InsertNextPoint(rho * std::cos(u), rho * std::sin(u), tube * std::sin(v));
       const vtkIdType right = (i + 1) % rows * columns;
       const vtkIdType up = (j + 1) % columns;
       const vtkIdType lower[3] = { i * columns + j, right + j, right + up };

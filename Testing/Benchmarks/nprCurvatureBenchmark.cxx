@@ -19,6 +19,7 @@
 #include "nprBenchmarkModel.h"
 #include "nprBenchmarkTorus.h"
 #include "nprPlainCurvature.h"
+#include "nprPlainMesh.h"
 #include "nprTriangleMesh.h"
 #include "vtkNPRCurvatureDerivatives.h"
 #include "vtkNPRCurvatureTensor.h"
@@ -29,7 +30,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
@@ -44,24 +44,6 @@
 namespace
 {
 using namespace nprbench;
-
-//------------------------------------------------------------------------------
-PlainMesh MakePlain(vtkPolyData* surface)
-{
-  const npr::TriangleMesh mesh(surface);
-  PlainMesh plain;
-  plain.Points.assign(mesh.GetPoints().begin(), mesh.GetPoints().end());
-  plain.Triangles.assign(mesh.GetTriangles().begin(), mesh.GetTriangles().end());
-  return plain;
-}
-
-//------------------------------------------------------------------------------
-/// TBB, once held to one thread, would not take two again.
-void UseThreads(int threads)
-{
-  vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "TBB");
-  vtkSMPTools::Initialize(threads);
-}
 
 //------------------------------------------------------------------------------
 /// Runs a filter on the surface as if for the first time. The output is dropped.
@@ -97,7 +79,7 @@ void PrintAccuracy()
   constexpr int triangles = 50000;
   const Surface torus = MakeTorus(triangles);
   std::printf("\nRMS errors on a torus of %d triangles, relative\n", triangles);
-  PlainMesh plain = MakePlain(torus);
+  PlainMesh plain = MakePlainMesh(torus);
   plain.ComputeNormals();
   plain.ComputeAreas();
   plain.ComputeCurvature();
@@ -179,7 +161,7 @@ private:
 void PrintTimes(vtkPolyData* surface, int runs)
 {
   TimeTable table(runs);
-  PlainMesh plain = MakePlain(surface);
+  PlainMesh plain = MakePlainMesh(surface);
   table.AddPlain("plain: normals", [&]() { plain.ComputeNormals(); });
   table.AddPlain("plain: adjacency",
     [&]()
@@ -289,7 +271,7 @@ void PrintPeak(const std::string& what, const std::function<Surface()>& makeSurf
   {
     // Libraries and threads come into memory with their first use.
     const Surface small = MakeTorus(200000);
-    PlainMesh plain = MakePlain(small);
+    PlainMesh plain = MakePlainMesh(small);
     work(small, plain);
   }
   malloc_trim(0);
@@ -298,7 +280,7 @@ void PrintPeak(const std::string& what, const std::function<Surface()>& makeSurf
   PlainMesh plain;
   if (what == "plain")
   {
-    plain = MakePlain(surface);
+    plain = MakePlainMesh(surface);
     surface = nullptr;
   }
   ForgetPeak();
