@@ -8,7 +8,7 @@
 
 #include "vtkNPRCreases.h"
 
-#include <functional>
+#include <numeric>
 #include <random>
 
 using namespace nprtest;
@@ -382,6 +382,52 @@ void TestEdges(const BruteForceMesh& mesh, int seed, Coverage& coverage, Checks&
   sharp->SetLeastEdges(1.0);
   Compare(creases, ExtractFrom(surface, sharp), "creases", seed, coverage, check);
 }
+
+//------------------------------------------------------------------------------
+// On a sphere every closed line parts one region from another: there is one region more than lines.
+void TestEuler(int seed, Random& random, Checks& check)
+{
+  const auto sphere = MakeSphere(12, 1.0);
+  const vtkIdType size = sphere->GetNumberOfPoints();
+  auto field = AddArray(sphere, "Field", 1);
+  const double share = DrawReal(random, 0.2, 0.8);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    field->SetTuple1(i, DrawReal(random, 0.1, 1.0) * (DrawShare(random, share) ? 1.0 : -1.0));
+  }
+  std::vector<vtkIdType> regions(size);
+  std::iota(regions.begin(), regions.end(), 0);
+  const auto findRoot = [&regions](vtkIdType point)
+  {
+    while (regions[point] != point)
+    {
+      point = regions[point];
+    }
+    return point;
+  };
+  vtkIdType count = size;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < sphere->GetNumberOfPolys(); ++t)
+  {
+    sphere->GetPolys()->GetCellAtId(t, ids);
+    for (int e = 0; e < 3; ++e)
+    {
+      const vtkIdType a = ids->GetId(e);
+      const vtkIdType b = ids->GetId((e + 1) % 3);
+      if ((field->GetTuple1(a) > 0.0) == (field->GetTuple1(b) > 0.0) && findRoot(a) != findRoot(b))
+      {
+        regions[findRoot(a)] = findRoot(b);
+        --count;
+      }
+    }
+  }
+  vtkNew<GivenLines> definition;
+  const auto chains = ExtractFrom(sphere, definition);
+  check(static_cast<vtkIdType>(chains.size()) + 1 == count,
+    "a sphere has one region more than closed lines", seed);
+  check(std::all_of(chains.begin(), chains.end(), [](const Chain& chain) { return chain.Closed; }),
+    "all lines on a sphere are closed", seed);
+}
 }
 
 int TestLinesBruteForce(int, char*[])
@@ -401,6 +447,7 @@ int TestLinesBruteForce(int, char*[])
       TestContours(mesh, seed, random, coverage, check);
       TestEdges(mesh, seed, coverage, check);
     }
+    TestEuler(seed, random, check);
   }
   check(coverage.Segments > 100000, "there are segments", double(coverage.Segments));
   check(coverage.Closed > 1000, "there are closed chains", double(coverage.Closed));
