@@ -27,7 +27,7 @@ FieldValues::FieldValues(const LineSurface& surface, const LineClusters& cluster
     Blocks(new std::atomic<unsigned char>[NumberOfBlocks] {}),
     TestParts(new std::atomic<unsigned char>[NumberOfParts] {}),
     TestPoints(new std::atomic<unsigned char>[NumberOfPoints] {}), Field(NumberOfPoints),
-    Sides(NumberOfPoints), Test(NumberOfPoints)
+    Sides(NumberOfPoints), BlockSides(NumberOfBlocks), Test(NumberOfPoints)
 {
 }
 
@@ -127,6 +127,17 @@ void FieldValues::EvaluateSpan(Index begin, Index end)
   for (Index i = begin; i < end; ++i)
   {
     sides[i] = std::abs(field[i]) <= std::numeric_limits<float>::max() ? sides[i] : NotANumber;
+  }
+  for (Index first = begin; first < end; first += LineClusters::PointsOfBlock)
+  {
+    const Side side = sides[first];
+    const Index last = std::min(first + LineClusters::PointsOfBlock, end);
+    unsigned int differences = 0;
+    for (Index i = first; i < last; ++i)
+    {
+      differences |= static_cast<unsigned int>(sides[i] ^ side);
+    }
+    this->BlockSides[first / LineClusters::PointsOfBlock] = differences == 0 ? side : Mixed;
   }
 }
 

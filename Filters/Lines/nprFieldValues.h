@@ -34,6 +34,7 @@ public:
   /// How many levels are not above a value, the lowest first.
   using Side = std::uint16_t;
   static constexpr Side NotANumber = 0xffff;
+  static constexpr Side Mixed = 0xfffe;
 
   /// Both must outlive this.
   FieldValues(const LineSurface& surface, const LineClusters& clusters);
@@ -60,6 +61,9 @@ public:
   const float* Get() const { return this->Field.data(); }
   float operator[](Index point) const { return this->Field[point]; }
   Side GetSide(Index point) const { return this->Sides[point]; }
+  const Side* GetSides() const { return this->Sides.data(); }
+  /// The side that all points of a block have, or Mixed.
+  Side GetSideOfBlock(Index block) const { return this->BlockSides[block]; }
   ///@}
 
   /// @name The test
@@ -93,6 +97,7 @@ private:
   Flags TestPoints;
   std::vector<float> Field;
   std::vector<Side> Sides;
+  std::vector<Side> BlockSides;
   std::vector<float> Test;
   std::array<std::vector<float>, 3> ViewAxes;
 };

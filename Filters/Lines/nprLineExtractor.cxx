@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprLineExtractor.h"
 
+#include "nprCrossingMaker.h"
 #include "nprEdgePieces.h"
-#include "nprHermite.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkSMPTools.h>
@@ -74,7 +74,7 @@ LineExtractor::~LineExtractor() = default;
 //------------------------------------------------------------------------------
 void LineExtractor::FindCandidates()
 {
-  if (this->Levels.size() != 1 || this->Levels[0] != 0.0f)
+  if (this->Levels.size() != 1 || this->Levels[0] != 0.0f || this->Axes)
   {
     return;
   }
@@ -217,33 +217,70 @@ bool LineExtractor::IsCrossed(Index triangle, const FieldValues& values) const
 }
 
 //------------------------------------------------------------------------------
+// Whether all points of a cluster are known to be on one side.
+bool LineExtractor::IsOnOneSide(Index cluster, const FieldValues& values) const
+{
+  const Index* const begin = this->Clusters.BlocksBegin(cluster);
+  const FieldValues::Side side = values.GetSideOfBlock(*begin);
+  return side != FieldValues::Mixed &&
+    std::all_of(begin + 1, this->Clusters.BlocksEnd(cluster),
+      [&](Index block) { return values.GetSideOfBlock(block) == side; });
+}
+
+//------------------------------------------------------------------------------
 void LineExtractor::FindCrossed(FieldValues& values)
 {
+  const FieldValues::Side* const sides = values.GetSides();
+  const TriangleMesh::Triangle* const triangles = this->Surface.GetMesh().GetTriangles().data();
   ForEach(this->Parts,
     [&](Index p)
     {
-      Part& part = this->Parts[p];
-      part.Crossed.clear();
-      for (const Index cluster : part.Clusters)
+      std::vector<Index>& crossed = this->Parts[p].Crossed;
+      crossed.clear();
+      const auto look = [&](Index triangle)
       {
-        if (this->HasCandidates)
+        const TriangleMesh::Triangle& c = triangles[triangle];
+        const FieldValues::Side side = sides[c[0]];
+        const FieldValues::Side second = sides[c[1]];
+        const FieldValues::Side third = sides[c[2]];
+        if (((second != side) | (third != side)) && side != FieldValues::NotANumber &&
+          second != FieldValues::NotANumber && third != FieldValues::NotANumber)
         {
-          for (Index i = this->CandidateOffsets[cluster]; i < this->CandidateOffsets[cluster + 1];
-               ++i)
+          crossed.push_back(triangle);
+        }
+      };
+      for (const Index cluster : this->Parts[p].Clusters)
+      {
+        if (this->Axes)
+        {
+          // Sides mean nothing where the sign belongs to an axis.
+          for (Index t = this->Clusters.GetFirstTriangle(cluster);
+               t < this->Clusters.GetTriangleEnd(cluster); ++t)
           {
-            if (this->IsCrossed(this->Candidates[i], values))
+            if (this->IsCrossed(t, values))
             {
-              part.Crossed.push_back(this->Candidates[i]);
+              crossed.push_back(t);
             }
           }
+        }
+        else if (this->IsOnOneSide(cluster, values))
+        {
           continue;
         }
-        const Index end = this->Clusters.GetTriangleEnd(cluster);
-        for (Index t = this->Clusters.GetFirstTriangle(cluster); t < end; ++t)
+        else if (this->HasCandidates)
         {
-          if (this->IsCrossed(t, values))
+          const Index end = this->CandidateOffsets[cluster + 1];
+          for (Index i = this->CandidateOffsets[cluster]; i < end; ++i)
           {
-            part.Crossed.push_back(t);
+            look(this->Candidates[i]);
+          }
+        }
+        else
+        {
+          const Index end = this->Clusters.GetTriangleEnd(cluster);
+          for (Index t = this->Clusters.GetFirstTriangle(cluster); t < end; ++t)
+          {
+            look(t);
           }
         }
       }
@@ -315,6 +352,7 @@ void LineExtractor::MakeCrossings(
     }
     values.EvaluateTests();
   }
+  const CrossingMaker maker(this->Surface, this->Levels, this->Axes.get(), values);
   ForEach(this->Parts,
     [&](Index p)
     {
@@ -322,15 +360,15 @@ void LineExtractor::MakeCrossings(
       part.Crossings.clear();
       for (const Index triangle : part.Crossed)
       {
-        this->AddCrossings(triangle, values, part.Crossings);
+        maker.Add(triangle, part.Crossings);
       }
       if (useSlopes && this->HasSlopes)
       {
-        this->UseSlopes(view, values, part.Crossings);
+        maker.UseSlopes(this->Definition, view, part.Crossings);
       }
       if (tested)
       {
-        this->SetTests(values, part.Crossings);
+        maker.SetTests(part.Crossings);
       }
     });
   std::vector<std::size_t> offsets(this->Parts.size() + 1, 0);
@@ -345,129 +383,5 @@ void LineExtractor::MakeCrossings(
       const std::vector<LineCrossing>& crossings = this->Parts[p].Crossings;
       std::copy(crossings.begin(), crossings.end(), segments.Crossings.begin() + offsets[p]);
     });
-}
-
-//------------------------------------------------------------------------------
-void LineExtractor::AddCrossings(
-  Index triangle, const FieldValues& values, std::vector<LineCrossing>& crossings) const
-{
-  if (this->Axes)
-  {
-    this->AddCrossing(triangle, 0, values, crossings);
-    return;
-  }
-  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-  const auto [low, high] =
-    std::minmax({ values.GetSide(c[0]), values.GetSide(c[1]), values.GetSide(c[2]) });
-  for (std::size_t level = low; level < high; ++level)
-  {
-    this->AddCrossing(triangle, level, values, crossings);
-  }
-}
-
-//------------------------------------------------------------------------------
-void LineExtractor::AddCrossing(Index triangle, std::size_t level, const FieldValues& values,
-  std::vector<LineCrossing>& crossings) const
-{
-  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-  const double value = this->Levels[level];
-  const auto isAbove = [&](Index point) { return values.GetSide(point) > level; };
-  const auto rank = [&](Index point)
-  { return std::make_pair(std::abs(values[point]), this->Surface.GetWelded(point)); };
-  LineCrossing crossing;
-  crossing.Triangle = triangle;
-  crossing.Level = static_cast<std::uint16_t>(level);
-  crossing.Test = { 1.0f, 1.0f };
-  std::array<Index, 2> vertices = { -1, -1 };
-  int found = 0;
-  for (int e = 0; e < 3; ++e)
-  {
-    const Index start = c[e];
-    const Index stop = c[e == 2 ? 0 : e + 1];
-    if (this->Axes ? !this->Axes->IsCrossed(3 * triangle + e, values.Get())
-                   : isAbove(start) == isAbove(stop))
-    {
-      continue;
-    }
-    // Walking the triangle's border, the line starts where the field turns negative; where that
-    // means nothing, with the first crossing.
-    const int n = this->Axes ? found++ : isAbove(start) ? 0 : 1;
-    // Always from one end, so that both triangles find the same bits, and an exact zero its vertex:
-    // from the end above, or where the field has axes and so no end above, from the one that is
-    // nearer to 0.
-    const bool isReversed = this->Axes ? rank(stop) < rank(start) : isAbove(stop);
-    const double from = std::abs(double(values[isReversed ? stop : start]) - value);
-    const double sum = from + std::abs(double(values[isReversed ? start : stop]) - value);
-    // Both ends are 0 only where axes turn against their order in space.
-    crossing.T[n] = sum > 0.0 ? static_cast<float>(from / sum) : 0.5f;
-    crossing.Places[n] = static_cast<std::uint8_t>(e + (isReversed ? LineCrossing::Reversed : 0));
-    if (crossing.T[n] == 0.0f)
-    {
-      vertices[n] = this->Surface.GetWelded(isReversed ? stop : start);
-    }
-  }
-  // From a vertex to itself is no line.
-  if (vertices[0] < 0 || vertices[0] != vertices[1])
-  {
-    crossings.push_back(crossing);
-  }
-}
-
-//------------------------------------------------------------------------------
-void LineExtractor::UseSlopes(
-  const LineView& view, const FieldValues& values, std::vector<LineCrossing>& crossings) const
-{
-  std::vector<Index> from;
-  std::vector<Index> to;
-  for (const LineCrossing& crossing : crossings)
-  {
-    for (int n = 0; n < 2; ++n)
-    {
-      const LineNode node = crossing.GetNode(this->Surface, n);
-      from.push_back(node.From);
-      to.push_back(node.To);
-    }
-  }
-  std::vector<float> atFrom(from.size());
-  std::vector<float> atTo(from.size());
-  this->Definition.EvaluateSlopes(this->Surface, view, from.data(), to.data(),
-    static_cast<vtkIdType>(from.size()), atFrom.data(), atTo.data());
-  for (std::size_t i = 0; i < from.size(); ++i)
-  {
-    LineCrossing& crossing = crossings[i / 2];
-    float& t = crossing.T[i % 2];
-    // Along seams, jumps are where the values say.
-    const bool isInside =
-      this->Surface.GetTwin(crossing.GetHalfEdge(static_cast<int>(i % 2))) != LineSurface::NoTwin;
-    if (t != 0.0f && isInside)
-    {
-      const double level = this->Levels[crossing.Level];
-      t = static_cast<float>(
-        FindHermiteRoot(values[from[i]] - level, values[to[i]] - level, atFrom[i], atTo[i], t));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// Drops crossings of which the test accepts nothing.
-void LineExtractor::SetTests(const FieldValues& values, std::vector<LineCrossing>& crossings) const
-{
-  std::size_t kept = 0;
-  for (LineCrossing& crossing : crossings)
-  {
-    for (int n = 0; n < 2; ++n)
-    {
-      const LineNode node = crossing.GetNode(this->Surface, n);
-      const float from = values.GetTest(node.From);
-      crossing.Test[n] = from + node.T * (values.GetTest(node.To) - from);
-    }
-    // Also false where the test is not a number.
-    if (std::max(crossing.Test[0], crossing.Test[1]) > 0.0f && std::isfinite(crossing.Test[0]) &&
-      std::isfinite(crossing.Test[1]))
-    {
-      crossings[kept++] = crossing;
-    }
-  }
-  crossings.resize(kept);
 }
 }

@@ -80,18 +80,12 @@ private:
   void FindCandidates();
   void RequireSeams(FieldValues& values) const;
   void FindClusters(const LineView& view, LineStrategy strategy, FieldValues& values);
+  bool IsOnOneSide(Index cluster, const FieldValues& values) const;
   void FindCrossed(FieldValues& values);
   void FindCrossedAtRandom(double share, FieldValues& values);
   bool IsCrossed(Index triangle, const FieldValues& values) const;
   void MakeCrossings(
     const LineView& view, bool useSlopes, FieldValues& values, LineSegments& segments);
-  void AddCrossings(
-    Index triangle, const FieldValues& values, std::vector<LineCrossing>& crossings) const;
-  void AddCrossing(Index triangle, std::size_t level, const FieldValues& values,
-    std::vector<LineCrossing>& crossings) const;
-  void UseSlopes(
-    const LineView& view, const FieldValues& values, std::vector<LineCrossing>& crossings) const;
-  void SetTests(const FieldValues& values, std::vector<LineCrossing>& crossings) const;
 
   const LineSurface& Surface;
   const LineClusters& Clusters;

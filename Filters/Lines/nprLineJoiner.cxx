@@ -29,7 +29,7 @@ void LineJoiner::Join(const LineSegments& segments, LinePaths& paths)
     if (this->Mates[end] == Free && !this->Visited[end / 2])
     {
       this->Trace(end);
-      this->Write(segments, false, paths);
+      this->Write(false, paths);
     }
   }
   for (End end = 0; end < size; end += 2)
@@ -37,22 +37,9 @@ void LineJoiner::Join(const LineSegments& segments, LinePaths& paths)
     if (!this->Visited[end / 2])
     {
       this->Trace(end);
-      this->Write(segments, true, paths);
+      this->Write(true, paths);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// Whether just the triangle across the edge can go on with the line.
-bool LineJoiner::IsInside(const LineSegments& segments, End end) const
-{
-  if (static_cast<std::size_t>(end / 2) >= segments.Crossings.size())
-  {
-    return false;
-  }
-  const LineCrossing& crossing = segments.Crossings[end / 2];
-  return crossing.T[end % 2] != 0.0f &&
-    this->Surface.GetTwin(crossing.GetHalfEdge(end % 2)) != LineSurface::NoTwin;
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +157,7 @@ void LineJoiner::FindMatesByKeys(const LineSegments& segments)
   {
     if (this->Counts[key - firstVertex] == 2)
     {
-      this->Mates[end] = this->Sums[key - firstVertex] ^ end;
+      this->Mates[end] = JoinByKey(this->Sums[key - firstVertex] ^ end);
     }
   }
   for (const auto& [key, end] : atVertices)
@@ -188,8 +175,8 @@ void LineJoiner::FindMatesByKeys(const LineSegments& segments)
     }
     if (last - i == 2)
     {
-      this->Mates[onSeams[i].second] = onSeams[i + 1].second;
-      this->Mates[onSeams[i + 1].second] = onSeams[i].second;
+      this->Mates[onSeams[i].second] = JoinByKey(onSeams[i + 1].second);
+      this->Mates[onSeams[i + 1].second] = JoinByKey(onSeams[i].second);
     }
     i = last;
   }
@@ -205,7 +192,7 @@ void LineJoiner::Trace(End end)
     this->Visited[end / 2] = 1;
     this->Path.push_back(end);
     forward += end % 2 == 0;
-    end = this->Mates[end ^ 1];
+    end = this->GetMate(end ^ 1);
   }
   if (2 * forward < this->Path.size())
   {
@@ -218,14 +205,14 @@ void LineJoiner::Trace(End end)
 }
 
 //------------------------------------------------------------------------------
-void LineJoiner::Write(const LineSegments& segments, bool closed, LinePaths& paths) const
+void LineJoiner::Write(bool closed, LinePaths& paths) const
 {
   paths.Ends.push_back(this->Path.front());
   for (std::size_t i = 0; i < this->Path.size(); ++i)
   {
     const End leaving = this->Path[i] ^ 1;
     const bool isLast = i + 1 == this->Path.size();
-    const bool isJoinedInside = (!isLast || closed) && this->IsInside(segments, leaving);
+    const bool isJoinedInside = this->Mates[leaving] >= 0;
     // At an edge between twins both have the same node.
     if (!(isLast && closed && isJoinedInside))
     {

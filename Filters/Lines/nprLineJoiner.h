@@ -46,15 +46,21 @@ public:
 
 private:
   static constexpr End Free = -1;
-  static constexpr End Keyed = -2; // at a vertex or on a seam
+  static constexpr End Keyed = -2; // at a vertex or on a seam, to be found by its key
 
-  bool IsInside(const LineSegments& segments, End end) const;
+  /// What meets an end there stands as a negative number.
+  static End JoinByKey(End mate) { return -3 - mate; }
+  End GetMate(End end) const
+  {
+    const End mate = this->Mates[end];
+    return mate < Keyed ? -3 - mate : mate;
+  }
   void FindMates(const LineSegments& segments);
   End FindMate(const LineSegments& segments, End end) const;
   std::int64_t GetKeyOf(const LineSegments& segments, End end) const;
   void FindMatesByKeys(const LineSegments& segments);
   void Trace(End end);
-  void Write(const LineSegments& segments, bool closed, LinePaths& paths) const;
+  void Write(bool closed, LinePaths& paths) const;
 
   const LineSurface& Surface;
   std::vector<Index> CrossingOfTriangle; // the first; what is there may be old

@@ -53,9 +53,10 @@ struct LineCrossing
   bool IsCut(int end) const { return this->Test[end] < 0.0f; }
   LineNode GetNode(const LineSurface& surface, int end) const
   {
-    const Index halfEdge = this->GetHalfEdge(end);
-    const Index start = surface.GetStart(halfEdge);
-    const Index stop = surface.GetEnd(halfEdge);
+    const TriangleMesh::Triangle& corners = surface.GetMesh().GetTriangle(this->Triangle);
+    const int edge = this->Places[end] & 3;
+    const Index start = corners[edge];
+    const Index stop = corners[edge == 2 ? 0 : edge + 1];
     return (this->Places[end] & Reversed) != 0 ? LineNode{ stop, start, this->T[end] }
                                                : LineNode{ start, stop, this->T[end] };
   }

@@ -120,7 +120,7 @@ public:
   virtual void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view,
     vtkIdType begin, vtkIdType end, float* field) const;
   /// Writes 1 or -1 where the field is positive (negative) in every view, else 0. Triangles whose
-  /// three points agree are never looked at. Only for fields whose one level is 0.
+  /// three points agree are never looked at. Only for fields without axes whose one level is 0.
   virtual void BoundField(
     const npr::LineSurface& surface, vtkIdType begin, vtkIdType end, signed char* sign) const;
   /// Where a line may be: only where n.v, the cosine of the angle between the normal and the
