@@ -18,6 +18,8 @@
 
 namespace nprbench
 {
+using Views = std::vector<vtkSmartPointer<vtkCamera>>;
+
 /// A camera on a circle around a surface, some way above its middle; the distance is in radii of
 /// the sphere around its bounding box.
 inline vtkSmartPointer<vtkCamera> MakeView(vtkPolyData* surface, double degrees, double distance)
@@ -43,10 +45,10 @@ inline vtkSmartPointer<vtkCamera> MakeView(vtkPolyData* surface, double degrees,
 }
 
 /// All around, near, at a middle distance and far away in turn.
-inline std::vector<vtkSmartPointer<vtkCamera>> MakeViews(vtkPolyData* surface, int count)
+inline Views MakeViews(vtkPolyData* surface, int count)
 {
   constexpr double Distances[] = { 1.2, 2.0, 4.0 };
-  std::vector<vtkSmartPointer<vtkCamera>> views;
+  Views views;
   for (int i = 0; i < count; ++i)
   {
     views.push_back(MakeView(surface, 360.0 * i / count, Distances[i % 3]));

@@ -111,10 +111,9 @@ struct Ink
   double Missing = 0.0;
 };
 
-/// What of the lines a picture does not have.
-Ink Compare(const std::vector<Place>& places, const std::vector<float>& picture)
+/// Adds what of the lines a picture does not have.
+void Compare(const std::vector<Place>& places, const std::vector<float>& picture, Ink& ink)
 {
-  Ink ink;
   for (const Place& place : places)
   {
     const int x = static_cast<int>(std::floor(place.X));
@@ -126,7 +125,23 @@ Ink Compare(const std::vector<Place>& places, const std::vector<float>& picture)
       ink.Missing += Step * std::max(0.0f, place.Strength - there);
     }
   }
-  return ink;
+}
+
+//------------------------------------------------------------------------------
+void CompareFrames(const std::vector<Place>& then, const std::vector<Place>& now, Ink& ink)
+{
+  Compare(now, Draw(then), ink);
+  Compare(then, Draw(now), ink);
+}
+
+//------------------------------------------------------------------------------
+std::vector<Place> WithoutFading(std::vector<Place> places)
+{
+  for (Place& place : places)
+  {
+    place.Strength = 1.0f;
+  }
+  return places;
 }
 }
 
@@ -137,8 +152,8 @@ LineFlicker MeasureFlicker(vtkPolyData* surface, const char* lineName, int steps
   filter->AddDefinition(lineName);
   filter->SetInputData(surface);
   vtkNew<vtkPolyData> before;
-  Ink appeared;
-  Ink vanished;
+  Ink faded;
+  Ink drawn;
   for (int i = 0; i <= steps; ++i)
   {
     const auto camera = MakeView(surface, degrees * i, 4.5);
@@ -148,19 +163,15 @@ LineFlicker MeasureFlicker(vtkPolyData* surface, const char* lineName, int steps
     {
       const std::vector<Place> now = Project(filter->GetOutput(), camera);
       const std::vector<Place> then = Project(before, camera);
-      const Ink more = Compare(now, Draw(then));
-      const Ink less = Compare(then, Draw(now));
-      appeared.All += more.All;
-      appeared.Missing += more.Missing;
-      vanished.All += less.All;
-      vanished.Missing += less.Missing;
+      CompareFrames(then, now, faded);
+      CompareFrames(WithoutFading(then), WithoutFading(now), drawn);
     }
     before->DeepCopy(filter->GetOutput());
   }
   LineFlicker flicker;
-  flicker.Appeared = appeared.All > 0.0 ? appeared.Missing / appeared.All : 0.0;
-  flicker.Vanished = vanished.All > 0.0 ? vanished.Missing / vanished.All : 0.0;
-  flicker.Pixels = appeared.All / steps;
+  flicker.Faded = faded.All > 0.0 ? faded.Missing / faded.All : 0.0;
+  flicker.Drawn = drawn.All > 0.0 ? drawn.Missing / drawn.All : 0.0;
+  flicker.Pixels = 0.5 * drawn.All / steps;
   return flicker;
 }
 }

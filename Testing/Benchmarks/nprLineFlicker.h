@@ -11,13 +11,12 @@ class vtkPolyData;
 
 namespace nprbench
 {
-/// Of two frames in which a kind of line is drawn, shares of the ink: of its length, weighted by
-/// its strength.
+/// Shares of the ink that one frame has and the other has not, there and back.
 struct LineFlicker
 {
-  double Appeared = 0.0; // is in a frame, but not where the frame before says
-  double Vanished = 0.0; // and the other way round
-  double Pixels = 0.0;   // of line in a frame
+  double Faded = 0.0;  // ink is length weighted by strength
+  double Drawn = 0.0;  // all of a line counts alike, as if it were drawn without fading
+  double Pixels = 0.0; // of line in a frame
 };
 
 /**

@@ -19,6 +19,8 @@ constexpr float LeastSine = 0.2588190f; // of 15 degrees
 constexpr float ContourFade = 0.02f;
 constexpr float RidgeThreshold = 4.0f;
 constexpr float RidgeFade = 4.0f;
+constexpr float ApparentThreshold = 6.0f;
+constexpr float ApparentFade = 4.0f;
 // Seen from the side, curvature grows beyond any bound.
 constexpr float LeastCosine = 0.01f;
 
@@ -278,8 +280,8 @@ void PlainLines::FindApparentRidges(const Vector& eye)
   this->SetUpView(eye);
   this->ComputeViewCurvature();
   this->ComputeViewDerivative();
-  const float least = RidgeThreshold / this->LengthScale;
-  const float scale = this->LengthScale / RidgeFade;
+  const float least = ApparentThreshold / this->LengthScale;
+  const float scale = this->LengthScale / ApparentFade;
   for (const Triangle& t : this->Mesh.Triangles)
   {
     if (this->Facing[t[0]] <= 0.0f || this->Facing[t[1]] <= 0.0f || this->Facing[t[2]] <= 0.0f)
