@@ -3,45 +3,18 @@
 #include "nprFieldAxes.h"
 
 #include "nprArrayNames.h"
-#include "nprTangentFrame.h"
-
-#include <vtkSMPTools.h>
-
-#include <cmath>
+#include <Eigen/Geometry>
 
 namespace npr
 {
-namespace
-{
-constexpr double LeastCosine =
-  0.70710678; // of axes that are closer to parallel than to right angles
-}
-
 //------------------------------------------------------------------------------
-FieldAxes::FieldAxes(const LineSurface& surface) : Surface(surface)
+FieldAxes::FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes)
+  : Surface(surface), Axes(axes)
 {
   for (int i = 0; i < 3; ++i)
   {
     this->Normals[i] = surface.GetComponent(names::Normals, i);
   }
-}
-
-//------------------------------------------------------------------------------
-void FieldAxes::Compare()
-{
-  this->Turns.resize(this->Surface.GetNumberOfHalfEdges());
-  vtkSMPTools::For(0, this->Surface.GetNumberOfHalfEdges(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (Index h = static_cast<Index>(begin); h < end; ++h)
-      {
-        const Index start = this->Surface.GetStart(h);
-        const Index stop = this->Surface.GetEnd(h);
-        // In one order, so that both half-edges of an edge round alike.
-        this->Turns[h] =
-          static_cast<signed char>(this->Compare(std::min(start, stop), std::max(start, stop)));
-      }
-    });
 }
 
 //------------------------------------------------------------------------------
@@ -58,60 +31,57 @@ bool FieldAxes::IsForward(Index point) const
 }
 
 //------------------------------------------------------------------------------
-int FieldAxes::Compare(Index a, Index b) const
+int FieldAxes::GetTurn(Index a, Index b, float cosine) const
 {
-  const auto getNormal = [this](Index point) -> Eigen::Vector3d {
-    return { this->Normals[0][point], this->Normals[1][point], this->Normals[2][point] };
-  };
-  const MinimalRotation rotation(getNormal(a), getNormal(b));
-  const double cosine = rotation.IsValid() ? rotation(this->GetAxis(a)).dot(this->GetAxis(b)) : 0.0;
-  return cosine > LeastCosine ? 1 : cosine < -LeastCosine ? -1 : 0;
+  float normals = 0.0f;
+  float fromA = 0.0f;
+  float fromB = 0.0f;
+  for (int i = 0; i < 3; ++i)
+  {
+    normals += this->Normals[i][a] * this->Normals[i][b];
+    fromA += this->Axes[i][a] * this->Normals[i][b];
+    fromB += this->Axes[i][b] * this->Normals[i][a];
+  }
+  if (normals < 0.0f)
+  {
+    return 0;
+  }
+  // The cosine after the shortest turn from one tangent plane to the other, in closed form. Both
+  // ways round alike, for nothing here depends on the order of the points.
+  const float turned = cosine - fromA * fromB / (1.0f + normals);
+  return turned > LeastCosine ? 1 : turned < -LeastCosine ? -1 : 0;
 }
 
 //------------------------------------------------------------------------------
-int FieldAxes::CompareQuickly(Index halfEdge) const
-{
-  const Index a = this->Surface.GetStart(halfEdge);
-  const Index b = this->Surface.GetEnd(halfEdge);
-  const double cosine = this->GetAxis(a).dot(this->GetAxis(b));
-  return cosine > LeastCosine ? 1 : cosine < -LeastCosine ? -1 : 0;
-}
-
-//------------------------------------------------------------------------------
-void FieldAxes::ComputeFall(
-  const float* field, const std::vector<Index>& points, std::vector<float>& fall) const
+float FieldAxes::ComputeFall(Index point, const float* field) const
 {
   const TriangleMesh& mesh = this->Surface.GetMesh();
-  for (std::size_t i = 0; i < points.size(); ++i)
+  double sum = 0.0;
+  double area = 0.0;
+  const Eigen::Vector3d axis = this->GetAxis(point);
+  for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
   {
-    const Index point = points[i];
-    double sum = 0.0;
-    double area = 0.0;
-    const Eigen::Vector3d axis = this->GetAxis(point);
-    for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+    const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
+    const int here = c[0] == point ? 0 : c[1] == point ? 1 : 2;
+    const Index b = c[(here + 1) % 3];
+    const Index d = c[(here + 2) % 3];
+    const int turnB = this->GetTurn(point, b);
+    const int turnD = this->GetTurn(point, d);
+    const Eigen::Vector3d toB = (mesh.GetPoint(b) - mesh.GetPoint(point)).cast<double>();
+    const Eigen::Vector3d toD = (mesh.GetPoint(d) - mesh.GetPoint(point)).cast<double>();
+    const Eigen::Vector3d normal = toB.cross(toD);
+    const double size = normal.norm();
+    if (turnB == 0 || turnD == 0 || !(size > 0.0))
     {
-      const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
-      const int here = c[0] == point ? 0 : c[1] == point ? 1 : 2;
-      const Index b = c[(here + 1) % 3];
-      const Index d = c[(here + 2) % 3];
-      const int turnB = this->GetTurn(3 * *t + here);
-      const int turnD = this->GetTurn(3 * *t + (here + 2) % 3);
-      const Eigen::Vector3d toB = (mesh.GetPoint(b) - mesh.GetPoint(point)).cast<double>();
-      const Eigen::Vector3d toD = (mesh.GetPoint(d) - mesh.GetPoint(point)).cast<double>();
-      const Eigen::Vector3d normal = toB.cross(toD);
-      const double size = normal.norm();
-      if (turnB == 0 || turnD == 0 || !(size > 0.0))
-      {
-        continue;
-      }
-      // The gradient of the linear field in the triangle, times twice its area.
-      const double riseB = double(field[b]) * turnB - field[point];
-      const double riseD = double(field[d]) * turnD - field[point];
-      const Eigen::Vector3d gradient = (riseB * toD - riseD * toB).cross(normal) / size;
-      sum -= gradient.dot(axis);
-      area += size;
+      continue;
     }
-    fall[i] = area > 0.0 ? static_cast<float>(sum / area) : 0.0f;
+    // The gradient of the linear field in the triangle, times twice its area.
+    const double riseB = double(field[b]) * turnB - field[point];
+    const double riseD = double(field[d]) * turnD - field[point];
+    const Eigen::Vector3d gradient = (riseB * toD - riseD * toB).cross(normal) / size;
+    sum -= gradient.dot(axis);
+    area += size;
   }
+  return area > 0.0 ? static_cast<float>(sum / area) : 0.0f;
 }
 }

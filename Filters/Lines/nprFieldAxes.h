@@ -6,7 +6,7 @@
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
-#include <vector>
+#include <array>
 
 namespace npr
 {
@@ -22,27 +22,22 @@ namespace npr
  *
  * Along an edge the axes are compared in one plane, after the turn that takes one end's normal to
  * the other's. Where they are then closer to perpendicular than to parallel, they are not the same
- * axis (the principal curvatures may have swapped): no line crosses such an edge.
+ * axis (the principal curvatures may have swapped): no line crosses such an edge, nor one along
+ * which the surface turns by more than a right angle. Nothing is kept for edges, so that axes may
+ * change with each view.
  */
 class VTKNPRFILTERSLINES_EXPORT FieldAxes
 {
 public:
   using Index = TriangleMesh::Index;
 
-  /// The surface, which has loaded its normals, must outlive this.
-  explicit FieldAxes(const LineSurface& surface);
+  /// \p axes are the components of unit vectors in the tangent planes at the points, or 0 where
+  /// there is none. They must outlive this, as must the surface, which has loaded its normals.
+  FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes);
 
-  /// The components of the axes at the points, unit vectors, or 0 where there is none.
-  void SetVectors(const std::array<const float*, 3>& axes) { this->Axes = axes; }
-  /// Compares axes that no view changes, once for all.
-  void Compare();
-
-  /// 1 where the axes at the ends of a half-edge point to the same side, -1 where they point to
-  /// opposite ones, 0 where they are not comparable.
-  int GetTurn(Index halfEdge) const
-  {
-    return this->Turns.empty() ? this->CompareQuickly(halfEdge) : this->Turns[halfEdge];
-  }
+  /// 1 where the axes at two points point to the same side, -1 where they point to opposite ones, 0
+  /// where they are not comparable.
+  int GetTurn(Index a, Index b) const { return this->GetTurn(a, b, this->GetCosine(a, b)); }
 
   /// On which side of its axis a point's value lies. A value of exactly 0 counts as if it lay
   /// slightly off, always to the same side in space.
@@ -54,32 +49,44 @@ public:
   /// Whether the field changes its sign between the ends.
   bool IsCrossed(Index halfEdge, const float* field) const
   {
-    const bool same = this->IsPositive(this->Surface.GetStart(halfEdge), field) ==
-      this->IsPositive(this->Surface.GetEnd(halfEdge), field);
-    const int turn = this->GetTurn(halfEdge);
+    const Index a = this->Surface.GetStart(halfEdge);
+    const Index b = this->Surface.GetEnd(halfEdge);
+    const bool same = this->IsPositive(a, field) == this->IsPositive(b, field);
+    const float cosine = this->GetCosine(a, b);
+    // Few edges pass this, which needs no normals.
+    if ((same ? cosine : -cosine) > SureCosine)
+    {
+      return false;
+    }
+    const int turn = this->GetTurn(a, b, cosine);
     return turn != 0 && same == (turn < 0);
   }
 
-  /// For some points how fast the field falls along the axis: minus its derivative, a mean over the
+  /// How fast the field falls along the axis at a point: minus its derivative, a mean over the
   /// triangles at the point by their areas. 0 where no axes are comparable.
-  void ComputeFall(
-    const float* field, const std::vector<Index>& points, std::vector<float>& fall) const;
+  float ComputeFall(Index point, const float* field) const;
 
 private:
+  // Of axes that are closer to parallel than to right angles.
+  static constexpr float LeastCosine = 0.70710678f;
+  // No turn by less than a right angle takes a cosine above this below -LeastCosine.
+  static constexpr float SureCosine = 1.0f - LeastCosine;
+
   bool IsForward(Index point) const;
-  int Compare(Index a, Index b) const;
-  /// In the plane of the axes themselves: near enough between neighbours whose axes change in every
-  /// view.
-  int CompareQuickly(Index halfEdge) const;
+  int GetTurn(Index a, Index b, float cosine) const;
+  float GetCosine(Index a, Index b) const
+  {
+    return this->Axes[0][a] * this->Axes[0][b] + this->Axes[1][a] * this->Axes[1][b] +
+      this->Axes[2][a] * this->Axes[2][b];
+  }
   Eigen::Vector3d GetAxis(Index point) const
   {
     return { this->Axes[0][point], this->Axes[1][point], this->Axes[2][point] };
   }
 
   const LineSurface& Surface;
-  std::array<const float*, 3> Axes = { nullptr, nullptr, nullptr };
+  std::array<const float*, 3> Axes;
   std::array<const float*, 3> Normals;
-  std::vector<signed char> Turns; // empty where axes are compared when asked for
 };
 }
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRLineDefinition.h"
 
+#include "vtkNPRApparentRidges.h"
 #include "vtkNPRBoundaries.h"
 #include "vtkNPRCreases.h"
 #include "vtkNPROccludingContours.h"
+#include "vtkNPRPrincipalHighlights.h"
 #include "vtkNPRRidges.h"
 #include "vtkNPRSuggestiveContours.h"
 #include "vtkNPRValleys.h"
@@ -23,6 +25,8 @@ const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRSuggestiveContours::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRRidges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRValleys::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRApparentRidges::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRPrincipalHighlights::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRCreases::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRBoundaries::New()); },
 };
@@ -188,9 +192,11 @@ void vtkNPRLineDefinition::BoundField(
 }
 
 //------------------------------------------------------------------------------
-void vtkNPRLineDefinition::EvaluateAxes(const npr::LineSurface&, const npr::LineView&,
-  vtkIdType begin, vtkIdType end, const std::array<float*, 3>& axes) const
+void vtkNPRLineDefinition::EvaluateFieldAndAxes(const npr::LineSurface& surface,
+  const npr::LineView& view, vtkIdType begin, vtkIdType end, float* field,
+  const std::array<float*, 3>& axes) const
 {
+  this->EvaluateField(surface, view, begin, end, field);
   for (float* component : axes)
   {
     std::fill(component + begin, component + end, 0.0f);

@@ -153,15 +153,16 @@ public:
   {
     return nullptr;
   }
-  /// Whether the field has axes that change with the view: EvaluateAxes() instead of GetAxes().
+  /// Whether the field has axes that change with the view: EvaluateFieldAndAxes() is called instead
+  /// of EvaluateField(), and there are no GetAxes().
   virtual bool HasViewAxes() const
   {
     return false;
   }
-  /// Writes axes[c][i], c < 3, for the points begin <= i < end: unit vectors in the
-  /// tangent plane; 0 where there is none.
-  virtual void EvaluateAxes(const npr::LineSurface& surface, const npr::LineView& view,
-    vtkIdType begin, vtkIdType end, const std::array<float*, 3>& axes) const;
+  /// Writes field[i] and axes[c][i], c < 3, for the points begin <= i < end: unit vectors in the
+  /// tangent plane; 0 where there is none. Both at once, for they are mostly made together.
+  virtual void EvaluateFieldAndAxes(const npr::LineSurface& surface, const npr::LineView& view,
+    vtkIdType begin, vtkIdType end, float* field, const std::array<float*, 3>& axes) const;
   /// Whether the field is the derivative along its axes of something that has a maximum on the
   /// line, so that EvaluateTest() is to be given its fall.
   virtual bool IsMaximum() const

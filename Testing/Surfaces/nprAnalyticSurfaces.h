@@ -7,6 +7,7 @@
 #ifndef nprAnalyticSurfaces_h
 #define nprAnalyticSurfaces_h
 
+#include "nprSurfaceTruths.h"
 #include "nprTangentFrame.h"
 
 #include <vtkCellArray.h>
@@ -27,9 +28,6 @@
 
 namespace nprtest
 {
-using Eigen::Vector3d;
-using Eigen::Vector4d;
-
 constexpr double Pi = 3.14159265358979323846;
 
 /// Counts and tells what failed.
@@ -49,16 +47,6 @@ public:
 
 private:
   int Failures = 0;
-};
-
-/// What is true at a point. The forms refer to Frame, U x V = Normal.
-struct Truth
-{
-  Vector3d Point;
-  Vector3d Normal;
-  npr::TangentFrame Frame;
-  Vector3d Form;  // II: UU, UV, VV
-  Vector4d Cubic; // C: UUU, UUV, UVV, VVV
 };
 
 using Parametrisation = std::function<Truth(double u, double v)>;
@@ -226,33 +214,6 @@ inline AnalyticSurface MakeSpherePatch(double r, int nu, int nv)
   return MakeSurface(SpherePatch(r), nu, nv);
 }
 
-/// The ellipsoid with these semi-axes at the point that belongs to a direction: its components
-/// times the axes. F = x^2 / a^2 + y^2 / b^2 + z^2 / c^2 has the gradient g and the Hessian A, and
-/// with n = g / |g| the second fundamental form is A(x, y) / |g|, its derivative
-/// -(II(x, y) A(n, z) + II(y, z) A(n, x) + II(z, x) A(n, y)) / |g|.
-inline Truth MakeEllipsoidTruth(const Vector3d& axes, const Vector3d& direction)
-{
-  Truth truth;
-  truth.Point = axes.cwiseProduct(direction);
-  const Vector3d hessian = 2.0 * axes.cwiseAbs2().cwiseInverse();
-  const Vector3d gradient = hessian.cwiseProduct(truth.Point);
-  const double length = gradient.norm();
-  truth.Normal = gradient / length;
-  truth.Frame = npr::MakeTangentFrame(truth.Normal);
-  const Vector3d& u = truth.Frame.U;
-  const Vector3d& v = truth.Frame.V;
-  const auto form = [&](const Vector3d& a, const Vector3d& b)
-  { return hessian.cwiseProduct(a).dot(b) / length; };
-  const auto cubic = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c)
-  {
-    const Vector3d& n = truth.Normal;
-    return -(form(a, b) * form(n, c) + form(b, c) * form(n, a) + form(c, a) * form(n, b));
-  };
-  truth.Form = { form(u, u), form(u, v), form(v, v) };
-  truth.Cubic = { cubic(u, u, u), cubic(u, u, v), cubic(u, v, v), cubic(v, v, v) };
-  return truth;
-}
-
 /// A patch of an ellipsoid, away from its poles.
 inline ParametricSurface EllipsoidPatch(const Vector3d& axes)
 {
@@ -262,54 +223,6 @@ inline ParametricSurface EllipsoidPatch(const Vector3d& axes)
       axes, { std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v) });
   };
   return { at, { 0.0, 2.0, -0.7, 0.8 } };
-}
-
-/// The derivatives of a height: x, y; xx, xy, yy; xxx, xxy, xyy, yyy.
-struct HeightJet
-{
-  double Value;
-  double First[2];
-  double Second[3];
-  double Third[4];
-};
-
-/**
- * The graph z = f(x, y), normal upwards. With W^2 = 1 + fx^2 + fy^2 the second fundamental form in
- * the basis of the coordinates is -f_ij / W (convex upwards is positive), the Christoffel symbols
- * are f_l f_ij / W^2, and so the covariant derivative of the form is C_ijk = -f_ijk / W + (f_ij g_k
- * + f_ik g_j + f_jk g_i) / W^3 with g_i = f_l f_li.
- */
-inline Truth MakeHeightTruth(double x, double y, const HeightJet& f)
-{
-  Truth truth;
-  const double w = std::sqrt(1.0 + f.First[0] * f.First[0] + f.First[1] * f.First[1]);
-  truth.Point = { x, y, f.Value };
-  truth.Normal = Vector3d(-f.First[0], -f.First[1], 1.0) / w;
-  truth.Frame = npr::MakeTangentFrame(truth.Normal);
-  // A tangent vector's components in the coordinate basis are its x and y.
-  const double* const s = f.Second;
-  const double g[2] = { f.First[0] * s[0] + f.First[1] * s[1],
-    f.First[0] * s[1] + f.First[1] * s[2] };
-  const auto form = [&](const Vector3d& a, const Vector3d& b)
-  {
-    return -(s[0] * a.x() * b.x() + s[1] * (a.x() * b.y() + a.y() * b.x()) + s[2] * a.y() * b.y()) /
-      w;
-  };
-  const auto cubic = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c)
-  {
-    const double third = f.Third[0] * a.x() * b.x() * c.x() +
-      f.Third[1] * (a.x() * b.x() * c.y() + a.x() * b.y() * c.x() + a.y() * b.x() * c.x()) +
-      f.Third[2] * (a.x() * b.y() * c.y() + a.y() * b.x() * c.y() + a.y() * b.y() * c.x()) +
-      f.Third[3] * a.y() * b.y() * c.y();
-    const auto slope = [&](const Vector3d& d) { return g[0] * d.x() + g[1] * d.y(); };
-    return -third / w -
-      (form(a, b) * slope(c) + form(a, c) * slope(b) + form(b, c) * slope(a)) / (w * w);
-  };
-  const Vector3d& u = truth.Frame.U;
-  const Vector3d& v = truth.Frame.V;
-  truth.Form = { form(u, u), form(u, v), form(v, v) };
-  truth.Cubic = { cubic(u, u, u), cubic(u, u, v), cubic(u, v, v), cubic(v, v, v) };
-  return truth;
 }
 
 /// The saddle z = x y.
@@ -338,20 +251,9 @@ inline ParametricSurface MonkeySaddle()
   return { at, { -0.5, 0.5, -0.5, 0.5 } };
 }
 
-/// z = 0.3 sin 2x cos y.
 inline ParametricSurface Waves()
 {
-  const auto at = [](double x, double y)
-  {
-    const double s = 0.3 * std::sin(2.0 * x);
-    const double c = 0.3 * std::cos(2.0 * x);
-    const double cy = std::cos(y);
-    const double sy = std::sin(y);
-    return MakeHeightTruth(x, y,
-      { s * cy, { 2.0 * c * cy, -s * sy }, { -4.0 * s * cy, -2.0 * c * sy, -s * cy },
-        { -8.0 * c * cy, 4.0 * s * sy, -2.0 * c * cy, s * sy } });
-  };
-  return { at, { -1.0, 1.0, -1.0, 1.2 } };
+  return { MakeWavesTruth, { -1.0, 1.0, -1.0, 1.2 } };
 }
 
 inline AnalyticSurface MakeWaves(int n)

@@ -76,6 +76,22 @@ void Store(const Real& stored, float* values)
   std::memcpy(values, &stored, sizeof(stored));
 }
 
+/// @name The same for the last values of a span, which are fewer; other lanes are 0.
+///@{
+template<typename Real>
+Real LoadFirst(const float* values, int count)
+{
+  Real loaded = {};
+  std::memcpy(&loaded, values, count * sizeof(float));
+  return loaded;
+}
+template<typename Real>
+void StoreFirst(const Real& stored, float* values, int count)
+{
+  std::memcpy(values, &stored, count * sizeof(float));
+}
+///@}
+
 /// A vector in space.
 template<typename Real>
 struct Vector3
