@@ -3,10 +3,18 @@
 #include "nprFieldAxes.h"
 
 #include "nprArrayNames.h"
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 namespace npr
 {
+namespace
+{
+// Of three neighbours, two of them ten degrees off the line through the third.
+constexpr float LeastDeterminant = 0.03f;
+}
+
 //------------------------------------------------------------------------------
 FieldAxes::FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes)
   : Surface(surface), Axes(axes)
@@ -55,33 +63,49 @@ int FieldAxes::GetTurn(Index a, Index b, float cosine) const
 //------------------------------------------------------------------------------
 float FieldAxes::ComputeFall(Index point, const float* field) const
 {
+  // The gradient that explains best how much the field rises to each neighbour, by its distance.
   const TriangleMesh& mesh = this->Surface.GetMesh();
-  double sum = 0.0;
-  double area = 0.0;
-  const Eigen::Vector3d axis = this->GetAxis(point);
+  const Eigen::Vector3f axis = this->GetAxis(point);
+  const Eigen::Vector3f across = this->GetNormal(point).cross(axis);
+  float xx = 0.0f;
+  float xy = 0.0f;
+  float yy = 0.0f;
+  float rx = 0.0f;
+  float ry = 0.0f;
+  const auto add = [&](Index neighbour)
+  {
+    const int turn = this->GetTurn(point, neighbour);
+    const Eigen::Vector3f edge = mesh.GetPoint(neighbour) - mesh.GetPoint(point);
+    const float square = edge.squaredNorm();
+    if (turn == 0 || !(square > 0.0f))
+    {
+      return;
+    }
+    const float perLength = 1.0f / std::sqrt(square);
+    const float x = edge.dot(axis) * perLength;
+    const float y = edge.dot(across) * perLength;
+    const float rise = (field[neighbour] * turn - field[point]) * perLength;
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+    rx += rise * x;
+    ry += rise * y;
+  };
   for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
   {
+    // The next corner of each triangle: around a point these are all neighbours, each once, but for
+    // a last one at a seam.
     const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
     const int here = c[0] == point ? 0 : c[1] == point ? 1 : 2;
-    const Index b = c[(here + 1) % 3];
-    const Index d = c[(here + 2) % 3];
-    const int turnB = this->GetTurn(point, b);
-    const int turnD = this->GetTurn(point, d);
-    const Eigen::Vector3d toB = (mesh.GetPoint(b) - mesh.GetPoint(point)).cast<double>();
-    const Eigen::Vector3d toD = (mesh.GetPoint(d) - mesh.GetPoint(point)).cast<double>();
-    const Eigen::Vector3d normal = toB.cross(toD);
-    const double size = normal.norm();
-    if (turnB == 0 || turnD == 0 || !(size > 0.0))
+    const int last = here == 0 ? 2 : here - 1;
+    add(c[here == 2 ? 0 : here + 1]);
+    if (this->Surface.GetTwin(3 * *t + last) == LineSurface::NoTwin)
     {
-      continue;
+      add(c[last]);
     }
-    // The gradient of the linear field in the triangle, times twice its area.
-    const double riseB = double(field[b]) * turnB - field[point];
-    const double riseD = double(field[d]) * turnD - field[point];
-    const Eigen::Vector3d gradient = (riseB * toD - riseD * toB).cross(normal) / size;
-    sum -= gradient.dot(axis);
-    area += size;
   }
-  return area > 0.0 ? static_cast<float>(sum / area) : 0.0f;
+  // Neighbours in all but one line say nothing.
+  const float determinant = xx * yy - xy * xy;
+  return determinant > LeastDeterminant ? (ry * xy - rx * yy) / determinant : 0.0f;
 }
 }

@@ -62,8 +62,8 @@ public:
     return turn != 0 && same == (turn < 0);
   }
 
-  /// How fast the field falls along the axis at a point: minus its derivative, a mean over the
-  /// triangles at the point by their areas. 0 where no axes are comparable.
+  /// How fast the field falls along the axis at a point: minus its derivative, from the values at
+  /// the neighbours by least squares. 0 where too few have axes that are comparable.
   float ComputeFall(Index point, const float* field) const;
 
 private:
@@ -79,7 +79,11 @@ private:
     return this->Axes[0][a] * this->Axes[0][b] + this->Axes[1][a] * this->Axes[1][b] +
       this->Axes[2][a] * this->Axes[2][b];
   }
-  Eigen::Vector3d GetAxis(Index point) const
+  Eigen::Vector3f GetNormal(Index point) const
+  {
+    return { this->Normals[0][point], this->Normals[1][point], this->Normals[2][point] };
+  }
+  Eigen::Vector3f GetAxis(Index point) const
   {
     return { this->Axes[0][point], this->Axes[1][point], this->Axes[2][point] };
   }

@@ -96,28 +96,34 @@ std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRApparentRidges::GetRequir
 //------------------------------------------------------------------------------
 void vtkNPRApparentRidges::EvaluateFieldAndAxes(const npr::LineSurface& surface,
   const npr::LineView& view, vtkIdType begin, vtkIdType end, float* field,
-  const std::array<float*, 3>& axes) const
+  const std::array<float*, 3>& axes, float* bound) const
 {
   const SeenPoints points(surface, view);
+  const float threshold = static_cast<float>(this->Threshold);
+  // `store` puts values in a span where they belong.
+  const auto evaluate = [&](const auto& load, const auto& store)
+  {
+    const auto seen = points.Get<npr::Lanes>(load);
+    store(seen.Derivative, field);
+    store(seen.Axis.X, axes[0]);
+    store(seen.Axis.Y, axes[1]);
+    store(seen.Axis.Z, axes[2]);
+    const npr::Lanes above = seen.Curvature - threshold * seen.Cosine;
+    store(npr::Lanes(above < seen.Cosine ? above : seen.Cosine), bound);
+  };
   vtkIdType i = begin;
   for (; i + npr::NumberOfLanes <= end; i += npr::NumberOfLanes)
   {
-    const auto seen = points.Get<npr::Lanes>(
-      [i](const float* values) { return npr::Load<npr::Lanes>(values + i); });
-    npr::Store(seen.Derivative, field + i);
-    npr::Store(seen.Axis.X, axes[0] + i);
-    npr::Store(seen.Axis.Y, axes[1] + i);
-    npr::Store(seen.Axis.Z, axes[2] + i);
+    evaluate([i](const float* values) { return npr::Load<npr::Lanes>(values + i); },
+      [i](const npr::Lanes& value, float* values) { npr::Store(value, values + i); });
   }
   if (i < end)
   {
     const int rest = static_cast<int>(end - i);
-    const auto seen = points.Get<npr::Lanes>(
-      [i, rest](const float* values) { return npr::LoadFirst<npr::Lanes>(values + i, rest); });
-    npr::StoreFirst(seen.Derivative, field + i, rest);
-    npr::StoreFirst(seen.Axis.X, axes[0] + i, rest);
-    npr::StoreFirst(seen.Axis.Y, axes[1] + i, rest);
-    npr::StoreFirst(seen.Axis.Z, axes[2] + i, rest);
+    evaluate([i, rest](const float* values)
+      { return npr::LoadFirst<npr::Lanes>(values + i, rest); },
+      [i, rest](const npr::Lanes& value, float* values)
+      { npr::StoreFirst(value, values + i, rest); });
   }
 }
 
@@ -141,7 +147,7 @@ void vtkNPRApparentRidges::EvaluateTest(const npr::LineSurface& surface, const n
     const double rise = (curvature - this->Threshold) / this->Fade;
     // In this order a NaN stays.
     double result = facing < rise ? facing : rise;
-    if (fall && result > 0.0)
+    if (result > 0.0)
     {
       // The field falls with c^2, on the surface; on the screen it falls faster by the stretch.
       const double stretch = double(seen.Stretch) / seen.Cosine;

@@ -44,7 +44,7 @@ public:
 
   ///@{
   /// The least view-dependent curvature, times the length scale (no unit): a sphere as large as the
-  /// surface has about 1 where it is seen head-on. Range [0, 1e6]. Default is 4.
+  /// surface has about 1 where it is seen head-on. Range [0, 1e6]. Default is 6.
   vtkSetClampMacro(Threshold, double, 0.0, 1.0e6);
   vtkGetMacro(Threshold, double);
   ///@}
@@ -82,7 +82,8 @@ public:
     return true;
   }
   void EvaluateFieldAndAxes(const npr::LineSurface& surface, const npr::LineView& view,
-    vtkIdType begin, vtkIdType end, float* field, const std::array<float*, 3>& axes) const override;
+    vtkIdType begin, vtkIdType end, float* field, const std::array<float*, 3>& axes,
+    float* bound) const override;
   bool IsMaximum() const override
   {
     return true;
@@ -100,7 +101,7 @@ protected:
   ~vtkNPRApparentRidges() override = default;
 
 private:
-  double Threshold = 4.0;
+  double Threshold = 6.0;
   double Fade = 4.0;
   double Sharpness = 0.2;
   double ContourFade = 0.1;

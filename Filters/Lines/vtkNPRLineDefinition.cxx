@@ -194,9 +194,10 @@ void vtkNPRLineDefinition::BoundField(
 //------------------------------------------------------------------------------
 void vtkNPRLineDefinition::EvaluateFieldAndAxes(const npr::LineSurface& surface,
   const npr::LineView& view, vtkIdType begin, vtkIdType end, float* field,
-  const std::array<float*, 3>& axes) const
+  const std::array<float*, 3>& axes, float* bound) const
 {
   this->EvaluateField(surface, view, begin, end, field);
+  std::fill(bound + begin, bound + end, 1.0f);
   for (float* component : axes)
   {
     std::fill(component + begin, component + end, 0.0f);

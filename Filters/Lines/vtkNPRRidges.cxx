@@ -58,7 +58,7 @@ void vtkNPRRidges::EvaluateTest(const npr::LineSurface& surface, const npr::Line
     // Without a unit, so that nothing vanishes on tiny surfaces.
     const double curvature = double(this->GetSide()) * k1[points[j]] * scale;
     const double rise = (curvature - this->Threshold) / this->Fade;
-    if (rise <= 0.0 || !fall)
+    if (rise <= 0.0)
     {
       test[j] = static_cast<float>(rise);
       continue;
