@@ -43,7 +43,7 @@ void ListLines()
   {
     const char* name = vtkNPRLineDefinition::GetLineName(i);
     const auto definition = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name));
-    std::printf("%-12s %s\n", name, definition->GetDescription());
+    std::printf("%-21s %s\n", name, definition->GetDescription());
   }
 }
 
