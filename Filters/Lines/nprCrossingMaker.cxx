@@ -13,16 +13,16 @@
 namespace npr
 {
 //------------------------------------------------------------------------------
-CrossingMaker::CrossingMaker(const LineSurface& surface, const std::vector<float>& levels,
-  const FieldAxes* axes, const FieldValues& values)
-  : Surface(surface), Levels(levels), Axes(axes), Values(values)
+CrossingMaker::CrossingMaker(
+  const LineSurface& surface, const std::vector<float>& levels, const FieldValues& values)
+  : Surface(surface), Levels(levels), Values(values)
 {
 }
 
 //------------------------------------------------------------------------------
 void CrossingMaker::Add(Index triangle, std::vector<LineCrossing>& crossings) const
 {
-  if (this->Axes)
+  if (this->Values.GetAxes())
   {
     this->AddByAxes(triangle, crossings);
     return;
@@ -98,7 +98,7 @@ void CrossingMaker::AddByAxes(Index triangle, std::vector<LineCrossing>& crossin
   int found = 0;
   for (int e = 0; e < 3; ++e)
   {
-    if (!this->Axes->IsCrossed(3 * triangle + e, this->Values.Get()))
+    if (!this->Values.GetAxes()->IsCrossed(3 * triangle + e, this->Values.Get()))
     {
       continue;
     }

@@ -3,7 +3,6 @@
 #ifndef nprCrossingMaker_h
 #define nprCrossingMaker_h
 
-#include "nprFieldAxes.h"
 #include "nprFieldValues.h"
 #include "nprLineSegments.h"
 #include "nprLineSurface.h"
@@ -28,9 +27,9 @@ class CrossingMaker
 public:
   using Index = TriangleMesh::Index;
 
-  /// All must outlive this; axes are null where the field has one value.
-  CrossingMaker(const LineSurface& surface, const std::vector<float>& levels, const FieldAxes* axes,
-    const FieldValues& values);
+  /// All must outlive this.
+  CrossingMaker(
+    const LineSurface& surface, const std::vector<float>& levels, const FieldValues& values);
 
   /// Appends those of a triangle, the lowest level first.
   void Add(Index triangle, std::vector<LineCrossing>& crossings) const;
@@ -48,7 +47,6 @@ private:
 
   const LineSurface& Surface;
   const std::vector<float>& Levels;
-  const FieldAxes* const Axes;
   const FieldValues& Values;
 };
 }

@@ -32,26 +32,38 @@ FieldValues::FieldValues(const LineSurface& surface, const LineClusters& cluster
 }
 
 //------------------------------------------------------------------------------
-void FieldValues::Start(const vtkNPRLineDefinition& definition, const LineView& view,
-  const std::vector<float>& levels, FieldAxes* axes)
+void FieldValues::Start(
+  const vtkNPRLineDefinition& definition, const LineView& view, const std::vector<float>& levels)
 {
   this->Definition = &definition;
   this->View = view;
   this->Levels = &levels;
-  this->Axes = axes;
   for (Index block = 0; block < this->NumberOfBlocks; ++block)
   {
     this->Blocks[block].store(0, std::memory_order_relaxed);
   }
-  if (definition.HasViewAxes())
+  this->Axes.reset();
+  this->TestBounds.clear();
+  std::array<const float*, 3> axes;
+  for (int i = 0; i < 3; ++i)
   {
-    std::array<const float*, 3> components;
-    for (int i = 0; i < 3; ++i)
+    if (definition.HasViewAxes())
     {
       this->ViewAxes[i].resize(this->NumberOfPoints);
-      components[i] = this->ViewAxes[i].data();
+      axes[i] = this->ViewAxes[i].data();
     }
-    axes->SetVectors(components);
+    else if (definition.GetAxes())
+    {
+      axes[i] = this->Surface.GetComponent(definition.GetAxes(), i);
+    }
+  }
+  if (definition.HasViewAxes())
+  {
+    this->TestBounds.resize(this->NumberOfPoints);
+  }
+  if (definition.HasViewAxes() || definition.GetAxes())
+  {
+    this->Axes = std::make_unique<FieldAxes>(this->Surface, axes);
   }
 }
 
@@ -108,11 +120,16 @@ void FieldValues::EvaluateNow(Index block)
 //------------------------------------------------------------------------------
 void FieldValues::EvaluateSpan(Index begin, Index end)
 {
-  this->Definition->EvaluateField(this->Surface, this->View, begin, end, this->Field.data());
   if (this->Definition->HasViewAxes())
   {
-    this->Definition->EvaluateAxes(this->Surface, this->View, begin, end,
-      { this->ViewAxes[0].data(), this->ViewAxes[1].data(), this->ViewAxes[2].data() });
+    this->Definition->EvaluateFieldAndAxes(this->Surface, this->View, begin, end,
+      this->Field.data(),
+      { this->ViewAxes[0].data(), this->ViewAxes[1].data(), this->ViewAxes[2].data() },
+      this->TestBounds.data());
+  }
+  else
+  {
+    this->Definition->EvaluateField(this->Surface, this->View, begin, end, this->Field.data());
   }
   const float* const field = this->Field.data();
   Side* const sides = this->Sides.data();
@@ -172,8 +189,11 @@ void FieldValues::EvaluateTests()
         const bool isMaximum = this->Axes && this->Definition->IsMaximum();
         if (isMaximum)
         {
-          fall.resize(points.size());
-          this->Axes->ComputeFall(this->Field.data(), points, fall);
+          fall.clear();
+          for (const Index point : points)
+          {
+            fall.push_back(this->Axes->ComputeFall(point, this->Field.data()));
+          }
         }
         this->Definition->EvaluateTest(this->Surface, this->View, points.data(), count,
           isMaximum ? fall.data() : nullptr, test.data());

@@ -39,11 +39,17 @@ public:
   /// Both must outlive this.
   FieldValues(const LineSurface& surface, const LineClusters& clusters);
 
-  /// Forgets what was. The levels, in ascending order, and the axes must stay while this is used;
-  /// axes are null where the field has one value, and are given their vectors here where these
-  /// depend on the view.
-  void Start(const vtkNPRLineDefinition& definition, const LineView& view,
-    const std::vector<float>& levels, FieldAxes* axes);
+  /// Forgets what was. The levels, in ascending order, must stay while this is used.
+  void Start(
+    const vtkNPRLineDefinition& definition, const LineView& view, const std::vector<float>& levels);
+
+  /// The axes that the field's sign belongs to; null where it has one value.
+  const FieldAxes* GetAxes() const { return this->Axes.get(); }
+  /// Whether, as far as is known without the test, a line may be at a point.
+  bool MayBeAt(Index point) const
+  {
+    return this->TestBounds.empty() || this->TestBounds[point] > 0.0f;
+  }
 
   /// @name The field
   ///@{
@@ -88,7 +94,7 @@ private:
   const vtkNPRLineDefinition* Definition = nullptr;
   LineView View;
   const std::vector<float>* Levels = nullptr;
-  FieldAxes* Axes = nullptr;
+  std::unique_ptr<FieldAxes> Axes;
   const Index NumberOfPoints;
   const Index NumberOfBlocks;
   const Index NumberOfParts;
@@ -100,6 +106,7 @@ private:
   std::vector<Side> BlockSides;
   std::vector<float> Test;
   std::array<std::vector<float>, 3> ViewAxes;
+  std::vector<float> TestBounds; // empty where the axes do not depend on the view
 };
 }
 

@@ -46,20 +46,6 @@ LineExtractor::LineExtractor(
   }
   this->Levels = definition.GetLevels(surface);
   std::sort(this->Levels.begin(), this->Levels.end());
-  if (definition.GetAxes() || definition.HasViewAxes())
-  {
-    this->Axes = std::make_unique<FieldAxes>(surface);
-  }
-  if (definition.GetAxes())
-  {
-    std::array<const float*, 3> axes;
-    for (int i = 0; i < 3; ++i)
-    {
-      axes[i] = surface.GetComponent(definition.GetAxes(), i);
-    }
-    this->Axes->SetVectors(axes);
-    this->Axes->Compare();
-  }
   const auto slopeArrays = definition.GetSlopeArrays();
   this->HasSlopes = !slopeArrays.empty() &&
     std::all_of(slopeArrays.begin(), slopeArrays.end(),
@@ -74,7 +60,8 @@ LineExtractor::~LineExtractor() = default;
 //------------------------------------------------------------------------------
 void LineExtractor::FindCandidates()
 {
-  if (this->Levels.size() != 1 || this->Levels[0] != 0.0f || this->Axes)
+  if (this->Levels.size() != 1 || this->Levels[0] != 0.0f || this->Definition.GetAxes() ||
+    this->Definition.HasViewAxes())
   {
     return;
   }
@@ -114,7 +101,7 @@ void LineExtractor::Extract(
   segments.Pieces.clear();
   if (this->Definition.HasField())
   {
-    values.Start(this->Definition, view, this->Levels, this->Axes.get());
+    values.Start(this->Definition, view, this->Levels);
     if (this->Definition.FollowsJumps())
     {
       this->RequireSeams(values);
@@ -203,7 +190,8 @@ bool LineExtractor::IsCrossed(Index triangle, const FieldValues& values) const
   const FieldValues::Side a = values.GetSide(c[0]);
   const FieldValues::Side b = values.GetSide(c[1]);
   const FieldValues::Side d = values.GetSide(c[2]);
-  if (!this->Axes)
+  const FieldAxes* const axes = values.GetAxes();
+  if (!axes)
   {
     return (a != b || b != d) && a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
       d != FieldValues::NotANumber;
@@ -211,8 +199,9 @@ bool LineExtractor::IsCrossed(Index triangle, const FieldValues& values) const
   const float* const field = values.Get();
   return a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
     d != FieldValues::NotANumber &&
-    this->Axes->IsCrossed(3 * triangle, field) + this->Axes->IsCrossed(3 * triangle + 1, field) +
-      this->Axes->IsCrossed(3 * triangle + 2, field) ==
+    (values.MayBeAt(c[0]) || values.MayBeAt(c[1]) || values.MayBeAt(c[2])) &&
+    axes->IsCrossed(3 * triangle, field) + axes->IsCrossed(3 * triangle + 1, field) +
+      axes->IsCrossed(3 * triangle + 2, field) ==
     2;
 }
 
@@ -251,7 +240,7 @@ void LineExtractor::FindCrossed(FieldValues& values)
       };
       for (const Index cluster : this->Parts[p].Clusters)
       {
-        if (this->Axes)
+        if (values.GetAxes())
         {
           // Sides mean nothing where the sign belongs to an axis.
           for (Index t = this->Clusters.GetFirstTriangle(cluster);
@@ -352,7 +341,7 @@ void LineExtractor::MakeCrossings(
     }
     values.EvaluateTests();
   }
-  const CrossingMaker maker(this->Surface, this->Levels, this->Axes.get(), values);
+  const CrossingMaker maker(this->Surface, this->Levels, values);
   ForEach(this->Parts,
     [&](Index p)
     {

@@ -3,7 +3,6 @@
 #ifndef nprLineExtractor_h
 #define nprLineExtractor_h
 
-#include "nprFieldAxes.h"
 #include "nprFieldValues.h"
 #include "nprLineClusters.h"
 #include "nprLineSegments.h"
@@ -92,8 +91,7 @@ private:
   const vtkNPRLineDefinition& Definition;
   std::vector<float> Levels;
   bool HasSlopes = false;
-  std::unique_ptr<FieldAxes> Axes; ///< null where the field has one value
-  bool HasCandidates = false;      ///< else all triangles are
+  bool HasCandidates = false; ///< else all triangles are
   std::vector<Index> Candidates;
   std::vector<Index> CandidateOffsets; ///< for each cluster
   std::vector<Part> Parts;
