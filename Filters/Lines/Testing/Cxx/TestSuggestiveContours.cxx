@@ -69,22 +69,6 @@ std::vector<double> FindRoots(const Truth& truth, double u)
   return roots;
 }
 
-double GetDistance(const std::vector<Chain>& chains, const Vector& p)
-{
-  double least = 1.0e9;
-  for (const Chain& chain : chains)
-  {
-    for (std::size_t i = 0; i < chain.GetNumberOfSegments(); ++i)
-    {
-      const Vector along = chain.Next(i) - chain.Points[i];
-      const double t =
-        std::min(1.0, std::max(0.0, (p - chain.Points[i]).dot(along) / along.squaredNorm()));
-      least = std::min(least, (p - chain.Points[i] - t * along).norm());
-    }
-  }
-  return least;
-}
-
 void TestTorus(const Vector& eye, bool parallel, Checks& check)
 {
   Truth truth;

@@ -15,9 +15,9 @@ namespace
 constexpr int Size = 21;
 
 /// The square [-1, 1]^2. `at` gives an axis and the field's value for it, at random one way or the
-/// other.
-std::vector<Chain> Extract(
-  const std::function<std::pair<Vector, double>(double x, double y)>& at, int seed)
+/// other. Normals and axes are as if it were bent between x = 0 and 0.1, each half by an angle.
+std::vector<Chain> Extract(const std::function<std::pair<Vector, double>(double x, double y)>& at,
+  int seed, double angle = 0.0)
 {
   const auto surface = MakeGrid(Size, Size, false, false);
   auto normals = AddArray(surface, npr::names::Normals, 3);
@@ -33,8 +33,9 @@ std::vector<Chain> Extract(
     const double way = random->GetValue() < 0.5 ? -1.0 : 1.0;
     const auto [axis, value] = at(x, y);
     surface->GetPoints()->SetPoint(i, x, y, 0.0);
-    normals->SetTuple3(i, 0.0, 0.0, 1.0);
-    axes->SetTuple(i, Vector(way * axis).data());
+    const Eigen::AngleAxisd bend(x < 0.05 ? -angle : angle, Vector::UnitY());
+    normals->SetTuple(i, Vector(bend * Vector::UnitZ()).data());
+    axes->SetTuple(i, Vector(way * (bend * axis)).data());
     field->SetTuple1(i, way * value);
   }
   vtkNew<GivenLines> definition;
@@ -75,6 +76,14 @@ int TestTurningFields(int, char*[])
         check(std::abs(p[1] - 0.03) < 0.02, "it is where the field is zero", p[1]);
       }
     }
+
+    // Across a sharp bend axes are compared after the turn from one side to the other; beyond a
+    // right angle they are not.
+    const auto across = [](double x, double) { return std::make_pair(Vector(1, 0, 0), x - 0.05); };
+    const auto bent = Extract(across, seed, 0.7);
+    check(bent.size() == 1 && std::abs(GetLength(bent[0]) - 2.0) < 1.0e-6,
+      "a line runs along a bend", double(bent.size()));
+    check(Extract(across, seed, 0.8).empty(), "no line where the surface turns back");
 
     // Where axes swap, a change of the sign means nothing.
     check(Extract(

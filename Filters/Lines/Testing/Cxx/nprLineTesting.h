@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -365,6 +366,23 @@ inline double GetLength(const Chain& chain)
     length += (chain.Next(i) - chain.Points[i]).norm();
   }
   return length;
+}
+
+/// How far a point is from lines.
+inline double GetDistance(const std::vector<Chain>& chains, const Vector& p)
+{
+  double least = std::numeric_limits<double>::max();
+  for (const Chain& chain : chains)
+  {
+    for (std::size_t i = 0; i < chain.GetNumberOfSegments(); ++i)
+    {
+      const Vector along = chain.Next(i) - chain.Points[i];
+      const double t =
+        std::min(1.0, std::max(0.0, (p - chain.Points[i]).dot(along) / along.squaredNorm()));
+      least = std::min(least, (p - chain.Points[i] - t * along).norm());
+    }
+  }
+  return least;
 }
 
 inline vtkSmartPointer<vtkCamera> MakeCamera(const Vector& position, bool parallel = false)

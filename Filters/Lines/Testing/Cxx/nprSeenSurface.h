@@ -162,23 +162,6 @@ inline vtkSmartPointer<vtkPolyData> MakeSeenMesh(const std::function<Truth(doubl
   return surface;
 }
 
-/// How far a point is from lines.
-inline double GetDistance(const std::vector<Chain>& chains, const Vector& p)
-{
-  double least = std::numeric_limits<double>::max();
-  for (const Chain& chain : chains)
-  {
-    for (std::size_t i = 0; i < chain.GetNumberOfSegments(); ++i)
-    {
-      const Vector along = chain.Next(i) - chain.Points[i];
-      const double t =
-        std::min(1.0, std::max(0.0, (p - chain.Points[i]).dot(along) / along.squaredNorm()));
-      least = std::min(least, (p - chain.Points[i] - t * along).norm());
-    }
-  }
-  return least;
-}
-
 /// Where a function of parameters and an axis in space changes its sign along lines of constant u
 /// or v; the function turns the axis to its own and its value with it.
 inline std::vector<Eigen::Vector2d> FindRoots(
