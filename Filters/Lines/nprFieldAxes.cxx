@@ -12,7 +12,7 @@ namespace npr
 namespace
 {
 // Of three neighbours, two of them ten degrees off the line through the third.
-constexpr float LeastDeterminant = 0.03f;
+constexpr double LeastDeterminant = 0.03;
 }
 
 //------------------------------------------------------------------------------
@@ -67,11 +67,12 @@ float FieldAxes::ComputeFall(Index point, const float* field) const
   const TriangleMesh& mesh = this->Surface.GetMesh();
   const Eigen::Vector3f axis = this->GetAxis(point);
   const Eigen::Vector3f across = this->GetNormal(point).cross(axis);
-  float xx = 0.0f;
-  float xy = 0.0f;
-  float yy = 0.0f;
-  float rx = 0.0f;
-  float ry = 0.0f;
+  // In double precision, so that the order of the neighbours does not show.
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  double rx = 0.0;
+  double ry = 0.0;
   const auto add = [&](Index neighbour)
   {
     const int turn = this->GetTurn(point, neighbour);
@@ -82,9 +83,9 @@ float FieldAxes::ComputeFall(Index point, const float* field) const
       return;
     }
     const float perLength = 1.0f / std::sqrt(square);
-    const float x = edge.dot(axis) * perLength;
-    const float y = edge.dot(across) * perLength;
-    const float rise = (field[neighbour] * turn - field[point]) * perLength;
+    const double x = edge.dot(axis) * perLength;
+    const double y = edge.dot(across) * perLength;
+    const double rise = (field[neighbour] * turn - field[point]) * perLength;
     xx += x * x;
     xy += x * y;
     yy += y * y;
@@ -105,7 +106,8 @@ float FieldAxes::ComputeFall(Index point, const float* field) const
     }
   }
   // Neighbours in all but one line say nothing.
-  const float determinant = xx * yy - xy * xy;
-  return determinant > LeastDeterminant ? (ry * xy - rx * yy) / determinant : 0.0f;
+  const double determinant = xx * yy - xy * xy;
+  return determinant > LeastDeterminant ? static_cast<float>((ry * xy - rx * yy) / determinant)
+                                        : 0.0f;
 }
 }
