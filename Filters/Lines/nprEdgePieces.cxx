@@ -40,15 +40,31 @@ void AddInBlocks(vtkIdType size, std::vector<LinePiece>& pieces, const Add& add)
   }
 }
 
+// What a definition says of triangles; nothing where it only looks at edges.
+std::vector<signed char> EvaluateTriangles(
+  const LineSurface& surface, const vtkNPRLineDefinition& definition, const LineView& view)
+{
+  std::vector<signed char> values;
+  if (definition.ComparesTriangles())
+  {
+    values.resize(surface.GetMesh().GetNumberOfTriangles());
+    vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), EdgesOfBlock,
+      [&](vtkIdType begin, vtkIdType end)
+      { definition.EvaluateTriangles(surface, view, begin, end, values.data()); });
+  }
+  return values;
+}
+
 LinePiece GetWholeEdge(
   const LineSurface& surface, const Index* sides, const Index* sidesEnd, float strength)
 {
-  // In the direction of its first triangle, which is then on the left.
-  const Index start = surface.GetStart(*sides);
-  const Index stop = surface.GetEnd(*sides);
+  // In the direction of its first triangle, which is then on the left, or against it.
+  const Index start = strength < 0.0f ? surface.GetEnd(*sides) : surface.GetStart(*sides);
+  const Index stop = strength < 0.0f ? surface.GetStart(*sides) : surface.GetEnd(*sides);
   const float fromLow = start == surface.GetLowAndHigh(*sides)[0] ? 0.0f : 1.0f;
   return { sides, sidesEnd, { LineNode{ start, start, 0.0f }, LineNode{ stop, stop, 0.0f } },
-    { LinePiece::NoHalfEdge, LinePiece::NoHalfEdge }, { fromLow, 1.0f - fromLow }, strength };
+    { LinePiece::NoHalfEdge, LinePiece::NoHalfEdge }, { fromLow, 1.0f - fromLow },
+    std::abs(strength) };
 }
 
 // One side of a seam, which has a field of its own along it.
@@ -167,6 +183,7 @@ void AddEdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& defin
   {
     return;
   }
+  const std::vector<signed char> values = EvaluateTriangles(surface, definition, view);
   std::vector<LinePiece> found;
   const auto add = [&](const EdgeList& edges)
   {
@@ -174,10 +191,18 @@ void AddEdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& defin
       [&](vtkIdType begin, vtkIdType end, std::vector<LinePiece>& accepted)
       {
         std::vector<float> strength(end - begin, 0.0f);
-        definition.EvaluateEdges(surface, view, edges, begin, end, strength.data());
+        if (definition.ComparesTriangles())
+        {
+          definition.CompareTriangles(surface, edges, begin, end, values.data(), strength.data());
+        }
+        else
+        {
+          definition.EvaluateEdges(surface, view, edges, begin, end, strength.data());
+        }
         for (Index edge = static_cast<Index>(begin); edge < end; ++edge)
         {
-          if (strength[edge - begin] > 0.0f)
+          // False where the strength is not a number.
+          if (std::abs(strength[edge - begin]) > 0.0f)
           {
             accepted.push_back(
               GetWholeEdge(surface, edges.Begin(edge), edges.End(edge), strength[edge - begin]));

@@ -7,7 +7,10 @@
 #include "nprLengthScale.h"
 #include "nprWeldedPoints.h"
 
+#include <vtkArrayDispatch.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataArrayRange.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -20,6 +23,47 @@
 
 namespace npr
 {
+namespace
+{
+/// Parts regions further by one component of a cell array.
+struct RegionSplitter
+{
+  using Index = LineSurface::Index;
+
+  template<typename Array>
+  void operator()(
+    Array* array, const LineSurface& surface, int component, std::vector<Index>& regions) const
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    using Value = typename decltype(tuples)::ComponentType;
+    std::vector<Value> values(regions.size());
+    std::vector<Index> order(regions.size());
+    for (std::size_t t = 0; t < regions.size(); ++t)
+    {
+      values[t] = tuples[surface.GetCellId(static_cast<Index>(t))][component];
+      order[t] = static_cast<Index>(t);
+    }
+    const auto isLess = [&](Index a, Index b)
+    {
+      if (regions[a] != regions[b])
+      {
+        return regions[a] < regions[b];
+      }
+      const bool isNumber = values[a] == values[a];
+      const bool isOtherNumber = values[b] == values[b];
+      return isNumber && (!isOtherNumber || values[a] < values[b]);
+    };
+    vtkSMPTools::Sort(order.begin(), order.end(), isLess);
+    std::vector<Index> parted(regions.size());
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+      parted[order[i]] = parted[order[i - 1]] + (isLess(order[i - 1], order[i]) ? 1 : 0);
+    }
+    regions = std::move(parted);
+  }
+};
+}
+
 //------------------------------------------------------------------------------
 LineSurface::LineSurface(vtkPolyData* surface, double lengthScale)
   : Mesh({}, {}), Polygons(surface->GetPolys()), PolygonsMTime(Polygons->GetMTime()),
@@ -63,6 +107,7 @@ bool LineSurface::Move(vtkPolyData* surface, double lengthScale)
   this->Mesh.MovePoints(std::move(points), mesh.GetOrigin());
   this->SetCoordinates();
   this->Arrays.clear();
+  this->Regions.clear();
   return true;
 }
 
@@ -194,6 +239,31 @@ bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int componen
 }
 
 //------------------------------------------------------------------------------
+bool LineSurface::LoadRegions(vtkPolyData* surface, const std::string& name)
+{
+  if (this->Regions.count(name) > 0)
+  {
+    return true;
+  }
+  vtkDataArray* const array = surface->GetCellData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfTuples() != surface->GetNumberOfCells())
+  {
+    return false;
+  }
+  std::vector<Index> regions(this->Mesh.GetNumberOfTriangles(), 0);
+  const RegionSplitter split;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    if (!vtkArrayDispatch::Dispatch::Execute(array, split, *this, c, regions))
+    {
+      split(array, *this, c, regions);
+    }
+  }
+  this->Regions.emplace(name, std::move(regions));
+  return true;
+}
+
+//------------------------------------------------------------------------------
 std::array<LineSurface::Index, 2> LineSurface::GetLowAndHigh(Index halfEdge) const
 {
   const Index start = this->GetStart(halfEdge);
@@ -280,10 +350,13 @@ void LineSurface::BuildInnerEdges()
   {
     return;
   }
+  this->InnerEdges.AreOriented = true;
   for (Index h = 0; h < this->GetNumberOfHalfEdges(); ++h)
   {
     if (this->Twins[h] > h)
     {
+      this->InnerEdges.AreOriented =
+        this->InnerEdges.AreOriented && this->GetStart(h) == this->GetEnd(this->Twins[h]);
       this->InnerEdges.HalfEdges.push_back(h);
       this->InnerEdges.HalfEdges.push_back(this->Twins[h]);
       this->InnerEdges.Offsets.push_back(static_cast<Index>(this->InnerEdges.HalfEdges.size()));

@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ public:
 
   std::vector<Index> HalfEdges;
   std::vector<Index> Offsets = { 0 };
+  /// Whether each edge is known to have two half-edges that run in opposite directions.
+  bool AreOriented = false;
 };
 
 /**
@@ -80,6 +83,20 @@ public:
   }
   /// The points' coordinates, relative to the origin of the mesh.
   const float* GetCoordinate(int axis) const { return this->Coordinates[axis].data(); }
+  ///@}
+
+  /// @name Regions
+  /// Which triangles have the same values in an array of the surface's cell data.
+  ///@{
+  /// False when the surface has no such array of numbers, or one of another size.
+  bool LoadRegions(vtkPolyData* surface, const std::string& name);
+  /// A number for each triangle, from an array that was loaded: the same where all components are,
+  /// and ascending with the components, of which the first counts most. Values that are not
+  /// numbers are the same, and come last.
+  const std::vector<Index>& GetRegions(const std::string& name) const
+  {
+    return this->Regions.at(name);
+  }
   ///@}
 
   /// @name Half-edges: 3 * triangle + edge
@@ -132,6 +149,7 @@ private:
   EdgeList InnerEdges;
   std::array<std::vector<float>, 3> Coordinates;
   std::vector<Array> Arrays;
+  std::map<std::string, std::vector<Index>> Regions;
 
   // What the triangles came from, to know them again. Kept, so that no others have their address.
   vtkSmartPointer<vtkCellArray> Polygons;

@@ -28,7 +28,7 @@ void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::Li
   {
     const Index* side = edges.Begin(static_cast<Index>(i));
     const auto count = edges.End(static_cast<Index>(i)) - side;
-    bool accepted = count > 2;
+    bool accepted = false;
     if (count == 2)
     {
       const Eigen::Vector3d a = mesh.GetAreaNormal(side[0] / 3).cast<double>();

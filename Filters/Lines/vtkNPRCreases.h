@@ -6,9 +6,9 @@
  *
  * Creases belong to the shape, so they stay where they are in all views. Edges are taken on the
  * welded surface, so it does not matter whether the points are split there. Edges of more than two
- * triangles always count.
+ * triangles have no one angle; vtkNPRNonManifoldEdges draws them.
  *
- * @sa vtkNPRFeatureLines vtkNPRBoundaries
+ * @sa vtkNPRFeatureLines vtkNPRBoundaries vtkNPRNonManifoldEdges
  */
 #ifndef vtkNPRCreases_h
 #define vtkNPRCreases_h

@@ -15,6 +15,8 @@
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -46,6 +48,21 @@ Eigen::Matrix4d GetModelToWorld(vtkMatrix4x4* matrix)
     result = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix->GetData());
   }
   return result;
+}
+
+std::string DescribeCellArrays(vtkPolyData* surface)
+{
+  std::string names;
+  for (int i = 0; i < surface->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = surface->GetCellData()->GetArray(i);
+    if (array && array->GetName())
+    {
+      names += (names.empty() ? "" : ", ") + std::string(array->GetName());
+    }
+  }
+  return names.empty() ? "it has no cell arrays of numbers."
+                       : "its cell arrays are: " + names + ".";
 }
 }
 
@@ -267,6 +284,15 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
         internal.Surface.reset();
         return false;
       }
+    }
+    const char* const regions = definition.GetRequiredCellArray();
+    if (regions && !surface.LoadRegions(input, regions))
+    {
+      vtkErrorMacro("The lines \"" << definition.GetName() << "\" need the cell array \"" << regions
+                                   << "\", which the input does not have. Name another one; "
+                                   << DescribeCellArrays(input));
+      internal.Surface.reset();
+      return false;
     }
   }
   for (const Internals::Entry& entry : internal.Entries)

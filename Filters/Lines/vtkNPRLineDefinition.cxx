@@ -4,9 +4,12 @@
 
 #include "vtkNPRApparentRidges.h"
 #include "vtkNPRBoundaries.h"
+#include "vtkNPRContourEdges.h"
 #include "vtkNPRCreases.h"
+#include "vtkNPRNonManifoldEdges.h"
 #include "vtkNPROccludingContours.h"
 #include "vtkNPRPrincipalHighlights.h"
+#include "vtkNPRRegionBorders.h"
 #include "vtkNPRRidges.h"
 #include "vtkNPRSuggestiveContours.h"
 #include "vtkNPRValleys.h"
@@ -22,6 +25,7 @@ namespace
 using Maker = vtkNPRLineDefinition* (*)();
 const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPROccludingContours::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRContourEdges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRSuggestiveContours::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRRidges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRValleys::New()); },
@@ -29,6 +33,8 @@ const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRPrincipalHighlights::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRCreases::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRBoundaries::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRNonManifoldEdges::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRRegionBorders::New()); },
 };
 constexpr int NumberOfMakers = static_cast<int>(sizeof(Makers) / sizeof(Makers[0]));
 }
@@ -63,6 +69,14 @@ vtkNPRLineDefinition* vtkNPRLineDefinition::NewFromName(const char* name)
     definition->Delete();
   }
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRLineDefinition::IsForAnySurface() const
+{
+  return !this->GetRequiredCellArray() &&
+    std::none_of(this->Parameters.begin(), this->Parameters.end(),
+      [](const Parameter& parameter) { return parameter.Text && parameter.Text->empty(); });
 }
 
 //------------------------------------------------------------------------------
@@ -171,6 +185,15 @@ double vtkNPRLineDefinition::GetParameter(const char* name) const
 }
 
 //------------------------------------------------------------------------------
+std::vector<double> vtkNPRLineDefinition::GetParameterValues(const char* name) const
+{
+  const Parameter* parameter = this->FindParameter(name);
+  return parameter && parameter->Values
+    ? std::vector<double>(parameter->Values, parameter->Values + parameter->Size)
+    : std::vector<double>();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkNPRLineDefinition::GetTextParameter(const char* name) const
 {
   const Parameter* parameter = this->FindParameter(name);
@@ -222,6 +245,20 @@ void vtkNPRLineDefinition::EvaluateTest(const npr::LineSurface&, const npr::Line
 //------------------------------------------------------------------------------
 void vtkNPRLineDefinition::EvaluateEdges(const npr::LineSurface&, const npr::LineView&,
   const npr::EdgeList&, vtkIdType begin, vtkIdType end, float* strength) const
+{
+  std::fill(strength, strength + (end - begin), 0.0f);
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::EvaluateTriangles(const npr::LineSurface&, const npr::LineView&,
+  vtkIdType begin, vtkIdType end, signed char* values) const
+{
+  std::fill(values + begin, values + end, static_cast<signed char>(0));
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::CompareTriangles(const npr::LineSurface&, const npr::EdgeList&,
+  vtkIdType begin, vtkIdType end, const signed char*, float* strength) const
 {
   std::fill(strength, strength + (end - begin), 0.0f);
 }

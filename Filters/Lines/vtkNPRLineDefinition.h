@@ -56,6 +56,9 @@ public:
   virtual const char* GetDescription() const = 0;
   /// Whether the lines move with the view.
   virtual bool IsViewDependent() const = 0;
+  /// Whether the lines can be drawn on any surface. False for those that need a cell array, which
+  /// only the user's data can have, or a text that is empty as yet.
+  bool IsForAnySurface() const;
 
   /// @name Parameters by name
   /// What the command line and style files set; the same values have Set and Get functions of their
@@ -75,6 +78,8 @@ public:
   bool SetTextParameter(const char* name, const std::string& text);
   /// Its first number; NaN when there is no such parameter.
   double GetParameter(const char* name) const;
+  /// All its numbers; none for a text, or when there is no such parameter.
+  std::vector<double> GetParameterValues(const char* name) const;
   /// Empty when there is no such text.
   std::string GetTextParameter(const char* name) const;
   ///@}
@@ -101,6 +106,12 @@ public:
   virtual std::vector<RequiredArray> GetRequiredArrays() const
   {
     return {};
+  }
+  /// The name of the cell array whose values the definition compares (see
+  /// npr::LineSurface::GetRegions()); null for none.
+  virtual const char* GetRequiredCellArray() const
+  {
+    return nullptr;
   }
 
   /// @name Field part
@@ -189,10 +200,24 @@ public:
   {
     return NoEdges;
   }
-  /// Writes strength[i - begin] for the edges begin <= i < end; those > 0 are accepted. Must be
+  /// Writes strength[i - begin] for the edges begin <= i < end; 0 leaves an edge out. The line runs
+  /// as the edge's first half-edge does, or where the strength is negative, the other way. Must be
   /// safe to call from several threads at a time.
   virtual void EvaluateEdges(const npr::LineSurface& surface, const npr::LineView& view,
     const npr::EdgeList& edges, vtkIdType begin, vtkIdType end, float* strength) const;
+  /// Whether edges follow from a value of each triangle that only the view decides: then
+  /// EvaluateTriangles() is called once a view, and CompareTriangles() instead of EvaluateEdges().
+  virtual bool ComparesTriangles() const
+  {
+    return false;
+  }
+  /// Writes values[t] for the triangles begin <= t < end. Must be safe to call from several threads
+  /// at a time.
+  virtual void EvaluateTriangles(const npr::LineSurface& surface, const npr::LineView& view,
+    vtkIdType begin, vtkIdType end, signed char* values) const;
+  /// As EvaluateEdges(); values are those of all triangles.
+  virtual void CompareTriangles(const npr::LineSurface& surface, const npr::EdgeList& edges,
+    vtkIdType begin, vtkIdType end, const signed char* values, float* strength) const;
   /// Accepted edges that hang together are left out as noise when they are fewer than this; each of
   /// their points at a border counts as one more.
   virtual double GetLeastRow() const

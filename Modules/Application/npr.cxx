@@ -25,6 +25,7 @@ int main(int argc, char* argv[])
                  "  npr render part.stl -o part.png --style ink --view front\n"
                  "  npr render head.nii.gz --iso 60 -o head.png --style technical\n"
                  "  npr lines scan.ply -o lines.vtp --lines contours,suggestive\n"
+                 "  npr sheet scan.ply -o sheet.png\n"
                  "  npr curvature scan.ply -o scan.vtp\n"
                  "\n"
                  "Exit codes: 0 done, 1 wrong words, 2 a model or style that can not be used,\n"
@@ -33,6 +34,7 @@ int main(int argc, char* argv[])
   npr::AddRenderCommand(program, reporter);
   npr::AddDemoCommand(program, reporter);
   npr::AddLinesCommand(program, reporter);
+  npr::AddSheetCommand(program, reporter);
   npr::AddCurvatureCommand(program, reporter);
   npr::AddStylesCommand(program, reporter);
   npr::AddInfoCommand(program, reporter);

@@ -19,6 +19,7 @@ class Reporter;
 void AddRenderCommand(CLI::App& program, Reporter& reporter);
 void AddDemoCommand(CLI::App& program, Reporter& reporter);
 void AddLinesCommand(CLI::App& program, Reporter& reporter);
+void AddSheetCommand(CLI::App& program, Reporter& reporter);
 void AddCurvatureCommand(CLI::App& program, Reporter& reporter);
 void AddStylesCommand(CLI::App& program, Reporter& reporter);
 void AddInfoCommand(CLI::App& program, Reporter& reporter);

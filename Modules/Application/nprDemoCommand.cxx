@@ -7,12 +7,8 @@
 #include "nprReporter.h"
 #include "nprViewOptions.h"
 #include "vtkNPRIllustrationStyle.h"
-#include "vtkNPRSampleSource.h"
 
-#include <vtkActor.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkRenderer.h>
 
 #include <CLI/CLI.hpp>
 
@@ -67,12 +63,7 @@ void MakeDemo(const DemoOptions& options, Reporter& reporter)
 
   RenderJob job(reporter, size);
   reporter.BeginStage("sample");
-  vtkNew<vtkNPRSampleSource> sample;
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sample->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  job.GetRenderer()->AddActor(actor);
+  AddSample(job.GetRenderer());
   options.View.Apply(job.GetRenderer(), {});
   reporter.EndStage();
 

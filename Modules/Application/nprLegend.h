@@ -7,6 +7,8 @@
 #ifndef nprLegend_h
 #define nprLegend_h
 
+#include "nprCanvas.h"
+
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -19,8 +21,6 @@ class vtkScalarsToColors;
 
 namespace npr
 {
-using Colour = std::array<double, 3>;
-
 struct Legend
 {
   std::string Title;

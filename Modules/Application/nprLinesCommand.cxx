@@ -20,9 +20,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace npr
 {
@@ -33,17 +36,57 @@ struct LinesOptions
   ModelOptions Models;
   ViewOptions View;
   std::string Output;
-  std::string Lines = "contours,suggestive,creases,boundaries";
+  std::string Lines = "contours,suggestive,creases,boundaries,non-manifold";
   bool List = false;
 };
 
+std::string DescribeParameters(vtkNPRLineDefinition* definition)
+{
+  std::string text;
+  for (int i = 0; i < definition->GetNumberOfParameters(); ++i)
+  {
+    const char* name = definition->GetParameterName(i);
+    text += (text.empty() ? "" : ", ") + std::string(name);
+    for (const double value : definition->GetParameterValues(name))
+    {
+      char number[32];
+      std::snprintf(number, sizeof(number), " %g", value);
+      text += number;
+    }
+    if (definition->GetParameterSize(name) == 0)
+    {
+      text += " \"" + definition->GetTextParameter(name) + "\"";
+    }
+  }
+  return text.empty() ? "-" : text;
+}
+
 void ListLines()
 {
+  std::vector<std::array<std::string, 4>> rows = { { "KIND", "MOVES", "SHOWS",
+    "PARAMETERS, AS THEY ARE AT FIRST" } };
   for (int i = 0; i < vtkNPRLineDefinition::GetNumberOfLineNames(); ++i)
   {
     const char* name = vtkNPRLineDefinition::GetLineName(i);
     const auto definition = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name));
-    std::printf("%-21s %s\n", name, definition->GetDescription());
+    rows.push_back({ name, definition->IsViewDependent() ? "with view" : "-",
+      definition->GetDescription(), DescribeParameters(definition) });
+  }
+  std::array<std::size_t, 3> widths = { 0, 0, 0 };
+  for (const auto& row : rows)
+  {
+    for (std::size_t c = 0; c < widths.size(); ++c)
+    {
+      widths[c] = std::max(widths[c], row[c].size());
+    }
+  }
+  for (const auto& row : rows)
+  {
+    for (std::size_t c = 0; c < widths.size(); ++c)
+    {
+      std::printf("%-*s  ", static_cast<int>(widths[c]), row[c].c_str());
+    }
+    std::printf("%s\n", row[3].c_str());
   }
 }
 

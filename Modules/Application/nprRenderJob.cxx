@@ -93,21 +93,37 @@ vtkSmartPointer<vtkImageData> RenderJob::DrawWithoutPaper()
 }
 
 //------------------------------------------------------------------------------
-void RenderJob::Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent)
+void RenderJob::Apply(vtkNPRIllustrationStyle* style)
 {
   this->Illustration->SetStyle(style);
   this->Illustration->Apply();
   this->Output.ThrowOnVTKError(InputError);
   this->Output.StartClock();
-  const vtkSmartPointer<vtkImageData> image =
-    transparent ? this->DrawWithoutPaper() : GrabImage(this->Window, this->Output);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> RenderJob::Draw()
+{
+  return GrabImage(this->Window, this->Output);
+}
+
+//------------------------------------------------------------------------------
+void RenderJob::AddStages(double seconds)
+{
   // The lines are extracted while the first image is drawn.
-  double seconds = this->Output.StopClock();
   for (const char* stage : { "prepare", "curvature", "lines" })
   {
     this->Output.AddStage(stage, this->Illustration->GetStageSeconds(stage));
   }
   this->Output.AddStage("draw", seconds - this->Illustration->GetStageSeconds("lines"));
+}
+
+//------------------------------------------------------------------------------
+void RenderJob::Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent)
+{
+  this->Apply(style);
+  const vtkSmartPointer<vtkImageData> image = transparent ? this->DrawWithoutPaper() : this->Draw();
+  this->AddStages(this->Output.StopClock());
   this->Output.BeginStage("write");
   WriteImage(image, file);
   this->Output.EndStage();

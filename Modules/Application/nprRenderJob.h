@@ -37,9 +37,18 @@ public:
   ~RenderJob();
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
+  vtkNPRIllustration* GetIllustration() { return this->Illustration; }
 
   /// Illustrate what the renderer shows and write it. May be called again with another style.
   void Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent);
+
+  /// @name The steps of Run() but the last, for those who draw more than one picture
+  ///@{
+  void Apply(vtkNPRIllustrationStyle* style);
+  vtkSmartPointer<vtkImageData> Draw();
+  /// Tell the reporter how long the illustration took; `seconds` is the time from Apply() on.
+  void AddStages(double seconds);
+  ///@}
 
 private:
   vtkSmartPointer<vtkImageData> DrawWithoutPaper();

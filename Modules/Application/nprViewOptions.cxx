@@ -4,11 +4,14 @@
 
 #include "nprReporter.h"
 #include "vtkNPRModelImporter.h"
+#include "vtkNPRSampleSource.h"
 #include "vtkNPRViewpoint.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
 #include <CLI/CLI.hpp>
@@ -111,6 +114,17 @@ void ApplyEye(vtkRenderer* renderer, const ViewSpecification& view, const std::a
   }
   renderer->ResetCameraClippingRange();
 }
+}
+
+//------------------------------------------------------------------------------
+void AddSample(vtkRenderer* renderer)
+{
+  vtkNew<vtkNPRSampleSource> sample;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sample->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
 }
 
 //------------------------------------------------------------------------------

@@ -81,6 +81,9 @@ struct ViewOptions
   void Apply(vtkRenderer* renderer, const ModelOptions& models) const;
 };
 
+/// Put the built-in sample into the renderer.
+void AddSample(vtkRenderer* renderer);
+
 /// "a, b,c" as its parts, without blanks around them and without the empty ones.
 std::vector<std::string> SplitList(const std::string& text);
 }

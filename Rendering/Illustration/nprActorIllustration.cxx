@@ -162,13 +162,22 @@ void ActorIllustration::Connect()
 }
 
 //------------------------------------------------------------------------------
+void ActorIllustration::SetLineVisibility(int index, bool visible)
+{
+  if (index >= 0 && index < static_cast<int>(this->AllStrokes.size()))
+  {
+    this->AllStrokes[index].IsVisible = visible;
+  }
+}
+
+//------------------------------------------------------------------------------
 void ActorIllustration::Follow(const PageScale& scale)
 {
   const bool isShown = this->Actor->GetVisibility() &&
     this->Actor->GetMapper() == this->SurfaceMapper && this->Renderer->HasViewProp(this->Actor);
   for (Strokes& strokes : this->AllStrokes)
   {
-    strokes.Actor->SetVisibility(isShown);
+    strokes.Actor->SetVisibility(isShown && strokes.IsVisible);
   }
   if (!isShown)
   {

@@ -54,6 +54,10 @@ public:
   SurfacePipeline& GetPipeline() { return this->Pipeline; }
   vtkActor* GetActor() { return this->Actor; }
 
+  /// Whether the lines of a definition (by its index) are drawn from the next frame on; all are at
+  /// first.
+  void SetLineVisibility(int index, bool visible);
+
   /// Before each frame: what the user has done to the actor, its mapper, the camera or the window.
   void Follow(const PageScale& scale);
 
@@ -70,6 +74,7 @@ private:
     vtkSmartPointer<vtkNPRSplineStrokes> Splines;
     vtkSmartPointer<vtkNPRStrokeMapper> Mapper;
     vtkSmartPointer<vtkActor> Actor;
+    bool IsVisible = true;
     double WidthInUnits = 1.0;
     double MinimumLengthInUnits = 0.0;
   };

@@ -196,6 +196,14 @@ public:
     }
   }
 
+  void SetLineVisibility(int lineType, bool visible)
+  {
+    for (const auto& actor : this->Actors)
+    {
+      actor->SetLineVisibility(lineType, visible);
+    }
+  }
+
   double GetSeconds(const std::string& stage) const
   {
     double seconds = 0.0;
@@ -308,6 +316,12 @@ bool vtkNPRIllustration::GetLines(vtkPolyData* lines)
   }
   this->Internal->GetLines(lines);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIllustration::SetLineVisibility(int lineType, bool visible)
+{
+  this->Internal->SetLineVisibility(lineType, visible);
 }
 
 //------------------------------------------------------------------------------

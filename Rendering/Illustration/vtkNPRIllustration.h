@@ -78,6 +78,10 @@ public:
   /// false, with an error, before Apply().
   bool GetLines(vtkPolyData* lines);
 
+  /// Whether lines of a LineType (see GetLines()) are drawn from the next render on. Nothing is
+  /// prepared anew; Apply() shows all again.
+  void SetLineVisibility(int lineType, bool visible);
+
   /// Seconds spent so far in "prepare", "curvature" or "lines", by the filters of the
   /// illustration that is on the renderer; 0 for other names.
   double GetStageSeconds(const std::string& stage) const;

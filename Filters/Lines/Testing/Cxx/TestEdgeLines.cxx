@@ -144,6 +144,73 @@ void TestTube(Checks& check)
       static_cast<double>(outline.size()));
   }
 }
+
+// Three wings along one axis, of which one is bent: its fold is a crease, the axis is not.
+void TestWings(Checks& check)
+{
+  for (const bool split : { false, true })
+  {
+    const int n = 5;
+    auto wings = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> triangles;
+    std::vector<vtkIdType> welded;
+    const auto add = [&](double x, double y, int step, vtkIdType weld)
+    {
+      const vtkIdType id = points->InsertNextPoint(x, y, step);
+      welded.push_back(weld < 0 ? id : weld);
+      return id;
+    };
+    const auto strip = [&](const std::vector<vtkIdType>& a, const std::vector<vtkIdType>& b)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        triangles->InsertNextCell({ a[i], b[i], b[i + 1] });
+        triangles->InsertNextCell({ a[i], b[i + 1], a[i + 1] });
+      }
+    };
+    std::vector<vtkIdType> shared;
+    for (int i = 0; i <= n; ++i)
+    {
+      shared.push_back(add(0.0, 0.0, i, -1));
+    }
+    for (int wing = 0; wing < 3; ++wing)
+    {
+      const double angle = 2.0 * Pi * wing / 3.0;
+      std::vector<vtkIdType> axis, middle, rim;
+      for (int i = 0; i <= n; ++i)
+      {
+        axis.push_back(split && wing > 0 ? add(0.0, 0.0, i, shared[i]) : shared[i]);
+        middle.push_back(add(std::cos(angle), std::sin(angle), i, -1));
+        rim.push_back(wing == 2 ? add(std::cos(angle) + 1.0, std::sin(angle), i, -1)
+                                : add(2.0 * std::cos(angle), 2.0 * std::sin(angle), i, -1));
+      }
+      strip(axis, middle);
+      strip(middle, rim);
+    }
+    wings->SetPoints(points);
+    wings->SetPolys(triangles);
+    AddWeldedIds(wings, welded);
+    const auto chains = Extract(wings, { "non-manifold", "creases", "boundaries" }, nullptr);
+    CheckSound(chains, check);
+    const auto segments = GetSegments(chains);
+    check(std::adjacent_find(segments.begin(), segments.end()) == segments.end(),
+      "no edge is of two kinds");
+    for (int type = 0; type < 2; ++type)
+    {
+      int count = 0;
+      for (const Chain& chain : chains)
+      {
+        count += chain.Type == type;
+        check(chain.Type != type || (chain.Points.size() == n + 1 && GetLength(chain) == n),
+          "the axis and the fold run from end to end");
+        check(chain.Type != 0 || chain.Points[0].head<2>().norm() == 0.0,
+          "more than two triangles meet at the axis alone");
+      }
+      check(count == 1, "one axis, one fold", count);
+    }
+  }
+}
 }
 
 int TestEdgeLines(int, char*[])
@@ -154,5 +221,6 @@ int TestEdgeLines(int, char*[])
   TestAngle(check);
   TestNoise(check);
   TestTube(check);
+  TestWings(check);
   return check.Result();
 }

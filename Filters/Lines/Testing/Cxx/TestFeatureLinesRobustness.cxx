@@ -5,8 +5,6 @@
 
 #include "vtkNPRLineDefinition.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkExecutive.h>
 #include <vtkMatrix4x4.h>
 
 #include <limits>
@@ -17,29 +15,6 @@ using namespace nprtest;
 namespace
 {
 const std::vector<const char*> AllLines = { "contours", "suggestive", "creases", "boundaries" };
-
-// The text of the errors of one update.
-std::string GetErrors(vtkNPRFeatureLines* lines)
-{
-  std::string errors;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&errors);
-  observer->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
-    { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
-  const unsigned long tag = lines->AddObserver(vtkCommand::ErrorEvent, observer);
-  // The executive adds that the filter failed.
-  const unsigned long executiveTag =
-    lines->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
-  lines->Update();
-  lines->RemoveObserver(tag);
-  lines->GetExecutive()->RemoveObserver(executiveTag);
-  return errors;
-}
-
-bool Contains(const std::string& text, const char* part)
-{
-  return text.find(part) != std::string::npos;
-}
 
 void TestErrors(Checks& check)
 {

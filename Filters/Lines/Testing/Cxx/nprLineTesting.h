@@ -10,10 +10,12 @@
 #include "nprArrayNames.h"
 #include "vtkNPRFeatureLines.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -29,6 +31,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -408,6 +411,30 @@ inline std::vector<Chain> Extract(
   lines->SetInputData(surface);
   lines->Update();
   return GetChains(lines->GetOutput());
+}
+
+/// The text of the errors of one update.
+inline std::string GetErrors(vtkNPRFeatureLines* lines)
+{
+  std::string errors;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&errors);
+  observer->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+    { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
+  const unsigned long tag = lines->AddObserver(vtkCommand::ErrorEvent, observer);
+  // The executive adds that the filter failed.
+  const unsigned long executiveTag =
+    lines->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  lines->Update();
+  lines->RemoveObserver(tag);
+  lines->GetExecutive()->RemoveObserver(executiveTag);
+  return errors;
+}
+
+/// Whether a text has a part.
+inline bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
 }
 }
 

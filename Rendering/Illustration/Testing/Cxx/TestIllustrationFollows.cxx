@@ -79,6 +79,24 @@ int TestIllustrationFollows(int, char*[])
     last = anew;
   }
 
+  const auto draw = [&scene](bool contours, bool others)
+  {
+    for (int type = 0; type < 10; ++type)
+    {
+      scene.Illustration->SetLineVisibility(type, type == 0 ? contours : others);
+    }
+    return npr::CountDarkPixels(scene.Render(), 100);
+  };
+  const int none = draw(false, false);
+  const int contours = draw(true, false);
+  const int all = draw(true, true);
+  if (none != 0 || contours == 0 || contours >= all)
+  {
+    std::cerr << "FAILED: kinds of lines are not shown and hidden: " << none << ", " << contours
+              << ", " << all << "\n";
+    return EXIT_FAILURE;
+  }
+
   scene.Actor->VisibilityOff();
   if (npr::CountDarkPixels(scene.Render(), 250) != 0)
   {

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNPRContourEdges.h"
+
+#include <vtkObjectFactory.h>
+
+#include <Eigen/Geometry>
+
+vtkStandardNewMacro(vtkNPRContourEdges);
+
+//------------------------------------------------------------------------------
+// 1 for triangles that face the eye, or are seen edge-on; else 0.
+void vtkNPRContourEdges::EvaluateTriangles(const npr::LineSurface& surface,
+  const npr::LineView& view, vtkIdType begin, vtkIdType end, signed char* values) const
+{
+  const npr::TriangleMesh& mesh = surface.GetMesh();
+  const Eigen::Vector3d eye(view.Eye[0], view.Eye[1], view.Eye[2]);
+  const double perspective = view.Perspective;
+  // A direction is a unit vector of floats: half of the last digit of each component was rounded,
+  // and it may have been as much again before.
+  const double rounding = view.Perspective == 0.0f ? 1.0 / (1 << 24) : 0.0;
+  for (vtkIdType t = begin; t < end; ++t)
+  {
+    const npr::TriangleMesh::Triangle& c = mesh.GetTriangle(static_cast<Index>(t));
+    // Differences of floats are exact in double precision, and so is all else while coordinates
+    // are small whole numbers.
+    const Eigen::Vector3d corner = mesh.GetPoint(c[0]).cast<double>();
+    const Eigen::Vector3d normal = (mesh.GetPoint(c[1]).cast<double>() - corner)
+                                     .cross(mesh.GetPoint(c[2]).cast<double>() - corner);
+    values[t] = normal.dot(eye - perspective * corner) >= -rounding * normal.lpNorm<1>();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRContourEdges::CompareTriangles(const npr::LineSurface& surface,
+  const npr::EdgeList& edges, vtkIdType begin, vtkIdType end, const signed char* values,
+  float* strength) const
+{
+  if (edges.AreOriented)
+  {
+    const Index* const sides = edges.HalfEdges.data();
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      strength[i - begin] =
+        static_cast<float>(values[sides[2 * i] / 3] - values[sides[2 * i + 1] / 3]);
+    }
+    return;
+  }
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    const Index* side = edges.Begin(static_cast<Index>(i));
+    const Index* const last = edges.End(static_cast<Index>(i));
+    if (last - side == 1)
+    {
+      strength[i - begin] = 1.0f; // the triangle is on its left
+      continue;
+    }
+    // How many more triangles lie on the left of the first triangle's half-edge than on its right.
+    const Index start = surface.GetWelded(surface.GetStart(*side));
+    int balance = 0;
+    for (; side != last; ++side)
+    {
+      const bool forward = surface.GetWelded(surface.GetStart(*side)) == start;
+      balance += (values[*side / 3] == 1) == forward ? 1 : -1;
+    }
+    strength[i - begin] = balance == 0 ? 0.0f : balance > 0 ? 1.0f : -1.0f;
+  }
+}

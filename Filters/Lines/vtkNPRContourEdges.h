@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRContourEdges
+ * @brief The outline of the mesh itself: edges between a triangle that faces the eye and one that
+ * does not, and edges with one triangle.
+ *
+ * Lee Markosian, Michael A. Kowalski, Samuel J. Trychin, Lubomir D. Bourdev, Daniel Goldstein, John
+ * F. Hughes: Real-Time Nonphotorealistic Rendering, SIGGRAPH 1997. What this outlines is the
+ * polyhedron that is drawn, to the pixel; the outline of the smooth surface that the mesh stands
+ * for is vtkNPROccludingContours.
+ *
+ * @par Which edges
+ * Seen from the eye, each triangle at an edge lies on one of its two sides. The edge is on the
+ * outline when there are more on one side than on the other. For two triangles, that is when one
+ * faces the eye and one does not; it also settles edges of one, three or more triangles and those
+ * whose triangles do not agree about the orientation. Thus on a closed surface the outline is
+ * closed: a chain ends only where more than two edges of the outline meet.
+ *
+ * @par Exactness
+ * A triangle that is seen exactly edge-on counts as facing the eye. Each triangle is judged by
+ * itself, in double precision, so that all its edges agree. Where coordinates are small whole
+ * numbers (up to 2^15) nothing is rounded. In parallel projection the direction of the view is a
+ * rounded unit vector, so a triangle that is edge-on but for that counts as edge-on.
+ *
+ * @sa vtkNPRFeatureLines vtkNPROccludingContours vtkNPRBoundaries
+ */
+#ifndef vtkNPRContourEdges_h
+#define vtkNPRContourEdges_h
+
+#include "vtkNPRLineDefinition.h"
+
+class VTKNPRFILTERSLINES_EXPORT vtkNPRContourEdges : public vtkNPRLineDefinition
+{
+public:
+  static vtkNPRContourEdges* New();
+  vtkTypeMacro(vtkNPRContourEdges, vtkNPRLineDefinition);
+
+  const char* GetName() const override { return "contour-edges"; }
+  const char* GetDescription() const override
+  {
+    return "outline of the mesh's own facets, along its edges";
+  }
+  bool IsViewDependent() const override { return true; }
+
+#ifndef __VTK_WRAP__
+  EdgeKind GetEdges() const override
+  {
+    return AllEdges;
+  }
+  bool ComparesTriangles() const override
+  {
+    return true;
+  }
+  void EvaluateTriangles(const npr::LineSurface& surface, const npr::LineView& view,
+    vtkIdType begin, vtkIdType end, signed char* values) const override;
+  void CompareTriangles(const npr::LineSurface& surface, const npr::EdgeList& edges,
+    vtkIdType begin, vtkIdType end, const signed char* values, float* strength) const override;
+#endif
+
+protected:
+  vtkNPRContourEdges() = default;
+  ~vtkNPRContourEdges() override = default;
+
+private:
+  vtkNPRContourEdges(const vtkNPRContourEdges&) = delete;
+  void operator=(const vtkNPRContourEdges&) = delete;
+};
+
+#endif

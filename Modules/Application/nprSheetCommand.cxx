@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprCommands.h"
+
+#include "nprArrayNames.h"
+#include "nprCanvas.h"
+#include "nprImageFile.h"
+#include "nprRenderJob.h"
+#include "nprReporter.h"
+#include "nprViewOptions.h"
+#include "vtkNPRIllustration.h"
+#include "vtkNPRIllustrationStyle.h"
+#include "vtkNPRLineDefinition.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace npr
+{
+namespace
+{
+constexpr Colour Paper = { 1.0, 1.0, 1.0 };
+constexpr Colour Ink = { 0.16, 0.16, 0.18 };
+constexpr Colour PaleInk = { 0.55, 0.55, 0.58 };
+constexpr int LargestSide = 16384; // of the sheet, in pixels
+
+struct SheetOptions
+{
+  ModelOptions Models;
+  ViewOptions View;
+  bool Sample = false;
+  std::string Lines;
+  std::string Output;
+};
+
+/// Where things are on the sheet, in pixels.
+struct Layout
+{
+  Layout(int cells, const std::array<int, 2>& size)
+    : Cell(size), Columns(static_cast<int>(std::ceil(std::sqrt(double(cells))))),
+      Rows((cells + Columns - 1) / Columns), Gap(std::min(size[0], size[1]) / 16),
+      TextSize(std::max(11, std::min(size[0], size[1]) / 20)), Label(2 * TextSize)
+  {
+  }
+
+  int GetWidth() const { return this->Columns * (this->Cell[0] + this->Gap) + this->Gap; }
+  int GetHeight() const
+  {
+    return this->Rows * (this->Cell[1] + this->Label + this->Gap) + this->Gap;
+  }
+  /// The lower left corner of a cell's picture; cells run along the rows, from the top.
+  std::array<int, 2> GetCorner(int cell) const
+  {
+    const int row = this->Rows - 1 - cell / this->Columns;
+    return { this->Gap + cell % this->Columns * (this->Cell[0] + this->Gap),
+      this->Gap + row * (this->Cell[1] + this->Label + this->Gap) + this->Label };
+  }
+
+  std::array<int, 2> Cell;
+  int Columns;
+  int Rows;
+  int Gap;
+  int TextSize;
+  int Label; ///< Height of the strip below a picture.
+};
+
+/// The kinds that can be drawn on any surface; says which can not.
+std::vector<std::string> GetUsualKinds(const Reporter& reporter)
+{
+  std::vector<std::string> kinds;
+  std::string others;
+  for (int i = 0; i < vtkNPRLineDefinition::GetNumberOfLineNames(); ++i)
+  {
+    const std::string name = vtkNPRLineDefinition::GetLineName(i);
+    if (vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name.c_str()))->IsForAnySurface())
+    {
+      kinds.push_back(name);
+    }
+    else
+    {
+      others += (others.empty() ? "" : ", ") + name;
+    }
+  }
+  if (!others.empty() && !reporter.Quiet)
+  {
+    std::printf("left out, for they need data or an expression of yours: %s\n", others.c_str());
+  }
+  return kinds;
+}
+
+/// Thin grey contours, then each kind in black.
+std::string MakeStyle(const std::vector<std::string>& kinds)
+{
+  std::string lines = R"({ "type": "contours", "width": 1.6, "color": "#b4b4ba",
+    "spline": "catmull-rom", "minimum_length": 22 })";
+  for (const std::string& kind : kinds)
+  {
+    const auto definition = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(kind.c_str()));
+    // What comes from derivatives has their noise.
+    const bool isSmooth = definition->HasField() && definition->HasTest();
+    lines += ",\n{ \"type\": \"" + kind + R"(", "width": 2.4, "color": "#000000", )" +
+      (isSmooth ? R"("spline": "b-spline", "smoothing": 6, "taper": true, )"
+                : R"("spline": "catmull-rom", )") +
+      R"("minimum_length": 20 })";
+  }
+  return R"({ "name": "sheet", "background": "#ffffff", "shading": { "style": "paper" },
+    "lines": [)" +
+    lines + "] }";
+}
+
+std::vector<int> CountChains(vtkNPRIllustration* illustration, std::size_t types)
+{
+  vtkNew<vtkPolyData> lines;
+  illustration->GetLines(lines);
+  std::vector<int> counts(types, 0);
+  vtkDataArray* const type = lines->GetCellData()->GetArray(names::LineType);
+  for (vtkIdType i = 0; type && i < type->GetNumberOfTuples(); ++i)
+  {
+    ++counts[static_cast<std::size_t>(type->GetComponent(i, 0))];
+  }
+  return counts;
+}
+
+void MakeSheet(const SheetOptions& options, Reporter& reporter)
+{
+  // All that can be refused is refused before the long work.
+  if (options.Output.empty() || (options.Sample && !options.Models.Files.empty()))
+  {
+    throw CommandError(UsageError,
+      "sheet needs -o IMAGE, and a model file or --sample, not both (see npr sheet --help)");
+  }
+  CheckImageFile(options.Output);
+  options.View.Parse();
+  const std::vector<std::string> kinds =
+    options.Lines.empty() ? GetUsualKinds(reporter) : SplitList(options.Lines);
+  vtkNew<vtkNPRIllustrationStyle> style;
+  const bool isKnown = style->SelectLines(kinds);
+  reporter.DropVTKErrors();
+  if (!isKnown || kinds.empty())
+  {
+    throw CommandError(UsageError,
+      "--lines: " +
+        (isKnown ? "it names no kind of line (npr lines --list)" : style->GetErrorMessage()));
+  }
+  const Layout layout(static_cast<int>(kinds.size()), options.View.GetSize());
+  if (std::max(layout.GetWidth(), layout.GetHeight()) > LargestSide)
+  {
+    throw CommandError(UsageError,
+      "the sheet would be " + std::to_string(layout.GetWidth()) + "x" +
+        std::to_string(layout.GetHeight()) + " pixels; give its cells a smaller --size");
+  }
+
+  RenderJob job(reporter, layout.Cell);
+  reporter.BeginStage("read");
+  options.Models.Import(job.GetRenderer(), reporter);
+  if (options.Models.Files.empty())
+  {
+    AddSample(job.GetRenderer());
+  }
+  reporter.EndStage();
+  options.View.Apply(job.GetRenderer(), options.Models);
+  style->LoadString(MakeStyle(kinds));
+  job.Apply(style);
+  // All lines are extracted here, once.
+  const std::vector<int> counts = CountChains(job.GetIllustration(), kinds.size() + 1);
+  reporter.ThrowOnVTKError(InputError);
+
+  vtkNew<vtkImageData> sheet;
+  sheet->SetDimensions(layout.GetWidth(), layout.GetHeight(), 1);
+  sheet->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  Canvas canvas(sheet);
+  canvas.Fill(0, 0, layout.GetWidth(), layout.GetHeight(), Paper);
+  for (int cell = 0; cell < static_cast<int>(kinds.size()); ++cell)
+  {
+    for (int type = 0; type <= static_cast<int>(kinds.size()); ++type)
+    {
+      job.GetIllustration()->SetLineVisibility(type, type == 0 || type == cell + 1);
+    }
+    const std::array<int, 2> corner = layout.GetCorner(cell);
+    canvas.Paste(job.Draw(), corner[0], corner[1]);
+    const int middle = corner[0] + layout.Cell[0] / 2;
+    const int top = corner[1] - layout.TextSize / 4;
+    const bool isEmpty = counts[cell + 1] == 0;
+    canvas.Write(kinds[cell] + (isEmpty ? " (none here)" : ""), middle, top, layout.TextSize,
+      isEmpty ? PaleInk : Ink, 0.5);
+    reporter.ShowProgress("drawing", (cell + 1.0) / static_cast<double>(kinds.size()));
+  }
+  reporter.ClearProgress();
+  job.AddStages(reporter.StopClock());
+  reporter.BeginStage("write");
+  WriteImage(sheet, options.Output);
+  reporter.EndStage();
+  reporter.PrintStages();
+}
+}
+
+//------------------------------------------------------------------------------
+void AddSheetCommand(CLI::App& program, Reporter& reporter)
+{
+  CLI::App* command =
+    program.add_subcommand("sheet", "Draw each kind of line by itself, side by side in one image");
+  auto options = std::make_shared<SheetOptions>();
+  options->View.Size = "800x600";
+  options->Models.AddTo(*command)->required(false);
+  command->add_flag(
+    "--sample", options->Sample, "Draw the built-in sample; so it is without a model, too");
+  command->add_option("-o,--output", options->Output, "The image: .png, .jpg, .tif, .bmp or .ppm");
+  command->add_option("--lines", options->Lines,
+    "Which kinds of lines, such as contours,creases (npr lines --list); default: all that need "
+    "neither data nor an expression of yours");
+  options->View.AddTo(*command);
+  command->get_option("--size")->description("Size of each cell in pixels, WxH");
+  command->footer("Each kind is drawn in black, over the contours in grey.\n"
+                  "Examples:\n"
+                  "  npr sheet -o sheet.png\n"
+                  "  npr sheet scan.ply -o sheet.png --lines contours,suggestive,ridges --size "
+                  "600x600");
+  command->callback([options, &reporter]() { MakeSheet(*options, reporter); });
+}
+}
