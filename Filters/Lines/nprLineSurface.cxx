@@ -341,6 +341,26 @@ void LineSurface::BuildSeams()
       this->Seams.Offsets.push_back(static_cast<Index>(i + 1));
     }
   }
+  for (Index edge = 0; edge < this->Seams.GetNumberOfEdges(); ++edge)
+  {
+    const Index* const side = this->Seams.Begin(edge);
+    if (this->Seams.End(edge) - side == 2)
+    {
+      this->OthersAtSeams[side[0]] = side[1];
+      this->OthersAtSeams[side[1]] = side[0];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+LineSurface::Index LineSurface::GetOther(Index halfEdge) const
+{
+  if (this->Twins[halfEdge] != NoTwin)
+  {
+    return this->Twins[halfEdge];
+  }
+  const auto found = this->OthersAtSeams.find(halfEdge);
+  return found == this->OthersAtSeams.end() ? NoTwin : found->second;
 }
 
 //------------------------------------------------------------------------------

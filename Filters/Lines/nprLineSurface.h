@@ -13,6 +13,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -111,6 +112,9 @@ public:
     return this->Mesh.GetTriangle(halfEdge / 3)[(halfEdge + 1) % 3 == 0 ? 0 : halfEdge % 3 + 1];
   }
   Index GetTwin(Index halfEdge) const { return this->Twins[halfEdge]; }
+  /// The twin, or where points are split, the one other half-edge of the edge; NoTwin where there
+  /// is none, or more than one.
+  Index GetOther(Index halfEdge) const;
   /// A point that stands for all copies of one where creases split the surface.
   Index GetWelded(Index point) const
   {
@@ -145,6 +149,7 @@ private:
   std::vector<vtkIdType> CellIds;
   std::vector<Index> WeldedPoints; // empty where no point has copies
   std::vector<Index> Twins;
+  std::unordered_map<Index, Index> OthersAtSeams;
   EdgeList Seams;
   EdgeList InnerEdges;
   std::array<std::vector<float>, 3> Coordinates;

@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNPRCreases
- * @brief Sharp edges: those whose two triangles meet at a large angle.
+ * @brief Sharp edges: those whose two sides meet at a large angle.
  *
  * Creases belong to the shape, so they stay where they are in all views. Edges are taken on the
  * welded surface, so it does not matter whether the points are split there. Edges of more than two
  * triangles have no one angle; vtkNPRNonManifoldEdges draws them.
+ *
+ * @par Slivers
+ * What triangulators of CAD programs make of flat and gently bent faces has triangles so thin that
+ * their normals mean nothing. So it is not enough that the triangles of an edge meet at the angle:
+ * the surface on its two sides must, too. The normal of a side is the mean along a straight path
+ * from the edge's middle, as far as Tolerance. Slivers, shallow steps and folds that are narrower
+ * make no crease; triangles that are higher, as those of scans mostly are, count as they are. Sides
+ * that lie on each other, at an angle above 178 degrees, make no crease either.
  *
  * @sa vtkNPRFeatureLines vtkNPRBoundaries vtkNPRNonManifoldEdges
  */
@@ -26,10 +34,17 @@ public:
   bool IsViewDependent() const override { return false; }
 
   ///@{
-  /// The angle between the normals of two triangles above which their edge is a crease, in degrees.
+  /// The angle between the normals of its two sides above which an edge is a crease, in degrees.
   /// Range [0, 180]. Default is 40.
   vtkSetClampMacro(Angle, double, 0.0, 180.0);
   vtkGetMacro(Angle, double);
+  ///@}
+
+  ///@{
+  /// How far from an edge its sides are looked at, in length scales of the surface: what is
+  /// narrower can not be seen. Range [0, 1]; 0 takes the triangles as they are. Default is 0.002.
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
@@ -58,6 +73,7 @@ protected:
 
 private:
   double Angle = 40.0;
+  double Tolerance = 0.002;
   double LeastEdges = 3.0;
 
   vtkNPRCreases(const vtkNPRCreases&) = delete;

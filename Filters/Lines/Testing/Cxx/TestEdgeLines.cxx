@@ -145,6 +145,80 @@ void TestTube(Checks& check)
   }
 }
 
+// A sheet of 10 rows of 20 points, whose profile across the rows is given.
+vtkSmartPointer<vtkPolyData> MakeProfile(const std::vector<std::array<double, 2>>& profile)
+{
+  const int n = 20;
+  auto sheet = MakeGrid(static_cast<int>(profile.size()), n, false, false);
+  for (vtkIdType i = 0; i < sheet->GetNumberOfPoints(); ++i)
+  {
+    const auto& [x, z] = profile[i / n];
+    sheet->GetPoints()->SetPoint(i, x, 0.1 * (i % n), z);
+  }
+  return sheet;
+}
+
+std::vector<Chain> ExtractCreases(vtkPolyData* surface, double tolerance, Checks& check)
+{
+  vtkNew<vtkNPRCreases> creases;
+  creases->SetTolerance(tolerance < 0.0 ? creases->GetTolerance() : tolerance);
+  vtkNew<vtkNPRFeatureLines> lines;
+  lines->AddDefinition(creases);
+  lines->SetInputData(surface);
+  lines->Update();
+  const auto chains = GetChains(lines->GetOutput());
+  CheckSound(chains, check);
+  return chains;
+}
+
+// What is narrower than the tolerance makes no crease and hides none.
+void TestTolerance(Checks& check)
+{
+  const double usual = -1.0;
+  const double thin = 1.0e-4;
+  // A row of slivers in a flat sheet that stand on end, and a step.
+  for (const double end : { 0.0, thin })
+  {
+    auto flat =
+      MakeProfile({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, thin }, { 1.0 + thin, end }, { 2.0, end } });
+    check(ExtractCreases(flat, usual, check).empty(), "slivers of a flat face make no crease");
+    check(!ExtractCreases(flat, 0.0, check).empty(), "without a tolerance they do");
+  }
+  // Slivers of all directions beside a fold: it is found, and nothing else.
+  for (const double tilt : { -thin, 0.0, thin })
+  {
+    auto fold = MakeProfile({ { 0.0, 0.0 }, { 0.5, 0.0 }, { 1.0, 0.0 }, { 1.0 + tilt, thin },
+      { 1.0, 0.5 }, { 1.0, 1.0 } });
+    const auto chains = ExtractCreases(fold, usual, check);
+    check(!chains.empty() && chains.size() <= 2, "a fold beside slivers is one line, or two as one",
+      static_cast<double>(chains.size()));
+    for (const Chain& chain : chains)
+    {
+      check(std::abs(GetLength(chain) - 1.9) < 1.0e-6, "a fold beside slivers is whole",
+        GetLength(chain));
+      check((chain.Points[0] - Vector(1.0, chain.Points[0][1], 0.0)).norm() < 2.0 * thin,
+        "a fold is where it is");
+    }
+  }
+  // A thin plate keeps its rim: beyond the narrow face is the other side.
+  auto plate = MakeProfile({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, thin }, { 0.0, thin } });
+  check(ExtractCreases(plate, usual, check).size() <= 2,
+    "the rim of a plate is no more than its edges");
+  auto thick = MakeProfile({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.1 }, { 0.0, 0.1 } });
+  check(ExtractCreases(thick, usual, check).size() == 2, "a thick plate has two edges");
+  // A bend of 12 degrees a facet.
+  std::vector<std::array<double, 2>> bend;
+  for (int i = 0; i <= 15; ++i)
+  {
+    bend.push_back({ std::sin(Pi * i / 15.0), std::cos(Pi * i / 15.0) });
+  }
+  check(ExtractCreases(MakeProfile(bend), usual, check).empty(), "a round bend is no crease");
+  // A sheet that lies on itself.
+  check(
+    ExtractCreases(MakeProfile({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.2, 0.0 } }), usual, check).empty(),
+    "a flat fold is no crease");
+}
+
 // Three wings along one axis, of which one is bent: its fold is a crease, the axis is not.
 void TestWings(Checks& check)
 {
@@ -222,5 +296,6 @@ int TestEdgeLines(int, char*[])
   TestNoise(check);
   TestTube(check);
   TestWings(check);
+  TestTolerance(check);
   return check.Result();
 }
