@@ -184,9 +184,25 @@ class TestCommand(CommandTest):
             content = file.read()
         self.assertIn(b"LineType", content)
         self.assertIn(b"Strength", content)
-        listed = self.run_well("lines", "--list").stdout
-        for name in ("contours", "suggestive", "ridges", "valleys", "creases", "boundaries"):
-            self.assertIn(name, listed)
+
+    def test_list_of_lines(self):
+        rows = self.run_well("lines", "--list").stdout.splitlines()
+        columns = [rows[0].index(word) for word in ("MOVES", "SHOWS", "PARAMETERS")]
+        kinds = {}
+        for row in rows[1:]:
+            self.assertTrue(all(row[column - 1] == " " != row[column] for column in columns), row)
+            name, moves, shows, parameters = (
+                row[start:end].strip() for start, end in zip([0, *columns], [*columns, None])
+            )
+            self.assertTrue(shows)
+            kinds[name] = (moves, parameters)
+        for name in ("contours", "contour-edges", "suggestive"):
+            self.assertEqual(kinds[name][0], "with view")
+        for name in ("ridges", "valleys", "creases", "boundaries", "non-manifold", "region-borders"):
+            self.assertEqual(kinds[name][0], "-")
+        self.assertIn("angle 40", kinds["creases"][1])
+        self.assertEqual(kinds["boundaries"][1], "-")
+        self.assertEqual(kinds["region-borders"][1], 'array "RegionId"')
 
     def check_creases(self, segments, *offsets):
         """The six edges of a tetrahedron at each offset, each covered once."""
