@@ -198,9 +198,9 @@ class Fitter
 {
 public:
   Fitter() = default;
-  Fitter(const TriangleMesh& mesh, const PointGraph& graph, const Tuples<3>& normals,
+  Fitter(const PointGraph& graph, const std::vector<OrientedPoint>& points,
     const std::vector<PointMeasure>& measures)
-    : Measures(&measures), Around(mesh, graph, normals)
+    : Measures(&measures), Around(graph, points)
   {
   }
 
@@ -227,9 +227,10 @@ public:
         twiceCosine * measure.Difference - twiceSine * measure.Mixed,
         twiceSine * measure.Difference + twiceCosine * measure.Mixed };
       // As far away in the plane as it is in space: nearer to its distance along the surface.
-      const double distance = member.SquaredDistance * scale * scale;
-      double x = member.Offset.dot(frame.U);
-      double y = member.Offset.dot(frame.V);
+      const double distance = member.SquaredDistance;
+      const Vector3d offset = scale * member.Offset.head<3>().cast<double>();
+      double x = offset.dot(frame.U);
+      double y = offset.dot(frame.V);
       const double flat = x * x + y * y;
       const double stretch = flat > 0.0 ? std::sqrt(distance / flat) : 0.0;
       x *= stretch;
@@ -400,7 +401,8 @@ CurvatureEstimate CorrectedMeasures::Estimate(const TriangleMesh& mesh, const Tu
   const auto fit = [&](const auto& getRadius, int rings, const Progress& part)
   {
     const std::vector<PointMeasure> measures = MeasurePoints(mesh, estimate.Normals);
-    vtkSMPThreadLocal<Fitter> fitters(Fitter(mesh, graph, estimate.Normals, measures));
+    const std::vector<OrientedPoint> points = MakeOrientedPoints(mesh, estimate.Normals);
+    vtkSMPThreadLocal<Fitter> fitters(Fitter(graph, points, measures));
     return ForWithProgress(size, part,
       [&](vtkIdType begin, vtkIdType end)
       {

@@ -8,6 +8,9 @@
 
 #include <vtkSMPTools.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace npr
 {
 namespace
@@ -71,6 +74,66 @@ CurvatureEstimate FaceCurvature::Estimate(const TriangleMesh& mesh, const Tuples
       }
     });
   progress(1.0);
+  return estimate;
+}
+//------------------------------------------------------------------------------
+CurvatureEstimate FaceCurvature::EstimateAt(const std::vector<TriangleMesh::Index>& points,
+  const TriangleMesh& mesh, const Tuples<3>& normals, bool derivatives) const
+{
+  using Index = TriangleMesh::Index;
+  // The points of the part that is needed: those asked for, then ring by ring what is around.
+  std::vector<Index> part = points;
+  std::vector<Index> numbers(mesh.GetNumberOfPoints(), -1);
+  for (std::size_t i = 0; i < part.size(); ++i)
+  {
+    numbers[part[i]] = static_cast<Index>(i);
+  }
+  std::vector<Index> faces;
+  std::size_t first = 0;
+  for (int ring = 0; ring < this->GetReach(); ++ring)
+  {
+    for (const std::size_t last = part.size(); first < last; ++first)
+    {
+      for (const Index* t = mesh.IncidentBegin(part[first]); t != mesh.IncidentEnd(part[first]);
+           ++t)
+      {
+        faces.push_back(*t);
+        for (const Index corner : mesh.GetTriangle(*t))
+        {
+          if (numbers[corner] < 0)
+          {
+            numbers[corner] = static_cast<Index>(part.size());
+            part.push_back(corner);
+          }
+        }
+      }
+    }
+  }
+  // In the mesh's order, so that all is added up in the same.
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::vector<TriangleMesh::Vector> places(part.size());
+  Tuples<3> partNormals(part.size());
+  for (std::size_t i = 0; i < part.size(); ++i)
+  {
+    places[i] = mesh.GetPoint(part[i]);
+    partNormals[i] = normals[part[i]];
+  }
+  std::vector<TriangleMesh::Triangle> triangles(faces.size());
+  std::transform(faces.begin(), faces.end(), triangles.begin(),
+    [&](Index face)
+    {
+      const TriangleMesh::Triangle& corners = mesh.GetTriangle(face);
+      return TriangleMesh::Triangle{ numbers[corners[0]], numbers[corners[1]],
+        numbers[corners[2]] };
+    });
+  TriangleMesh around(std::move(places), std::move(triangles), mesh.GetOrigin());
+  around.BuildIncidence();
+  CurvatureEstimate estimate = this->Estimate(around, partNormals, derivatives, IgnoreProgress);
+  estimate.Normals.resize(points.size());
+  estimate.Tensors.resize(points.size());
+  estimate.Derivatives.resize(derivatives ? points.size() : 0);
+  estimate.Unknown.resize(points.size());
   return estimate;
 }
 }

@@ -21,6 +21,11 @@ public:
   int GetReach() const override { return 4; }
   CurvatureEstimate Estimate(const TriangleMesh& mesh, const Tuples<3>& normals, bool derivatives,
     const Progress& progress) const override;
+
+  /// The same at some different points only, in their order; takes the time of what lies around
+  /// them.
+  CurvatureEstimate EstimateAt(const std::vector<TriangleMesh::Index>& points,
+    const TriangleMesh& mesh, const Tuples<3>& normals, bool derivatives) const;
 };
 }
 

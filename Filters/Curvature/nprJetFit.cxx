@@ -35,30 +35,6 @@ constexpr Exponents Powers = MakeExponents();
 }
 
 //------------------------------------------------------------------------------
-void JetFit::Start(int numberOfPoints)
-{
-  this->Size = 0;
-  this->Pairs.resize((numberOfPoints + 1) / 2);
-  if (numberOfPoints % 2 == 1)
-  {
-    this->Pairs.back() = { Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero(),
-      Lanes::Zero() };
-  }
-}
-
-//------------------------------------------------------------------------------
-void JetFit::Add(double x, double y, double z, double weight)
-{
-  Pair& pair = this->Pairs[this->Size / 2];
-  const int lane = this->Size % 2;
-  pair.X[lane] = x;
-  pair.Y[lane] = y;
-  pair.Z[lane] = z;
-  pair.W[lane] = weight;
-  ++this->Size;
-}
-
-//------------------------------------------------------------------------------
 int JetFit::Solve(int degree, JetCoefficients& jet)
 {
   switch (degree)
@@ -123,45 +99,44 @@ int JetFit::SolveDegree(JetCoefficients& jet)
   Moments<Degree> moments;
   this->Sum<0>(moments);
 
-  // L D L'; the factors of a lower degree are the upper left part, so that the first bad pivot
-  // tells the degree that remains.
-  double l[size][size];
-  double pivots[size];
-  double right[size];
-  int usable = Degree;
+  // Elimination of the upper half, two columns at a time, with the right side as a last column.
+  // The rows of a lower degree come first, so that the first bad pivot tells the degree that
+  // remains.
+  constexpr int pairs = size / 2 + 1;
+  Lanes rows[size][pairs];
+  double diagonal[size];
+  const auto at = [&rows](int i, int j) -> double& { return rows[i][j / 2][j % 2]; };
   for (int i = 0; i < size; ++i)
   {
-    double row[size];
-    for (int j = 0; j <= i; ++j)
+    rows[i][pairs - 1].setZero();
+    for (int j = i / 2 * 2; j < size; ++j)
     {
-      row[j] = moments.Plain[Powers.X[i] + Powers.X[j]][Powers.Y[i] + Powers.Y[j]];
+      at(i, j) = moments.Plain[Powers.X[i] + Powers.X[j]][Powers.Y[i] + Powers.Y[j]];
     }
-    double value = moments.WithHeight[Powers.X[i]][Powers.Y[i]];
-    double pivot = row[i];
-    for (int j = 0; j < i; ++j)
-    {
-      double sum = row[j];
-      for (int k = 0; k < j; ++k)
-      {
-        sum -= row[k] * l[j][k];
-      }
-      row[j] = sum;
-    }
-    for (int j = 0; j < i; ++j)
-    {
-      l[i][j] = row[j] / pivots[j];
-      pivot -= l[i][j] * row[j];
-      value -= l[i][j] * right[j];
-    }
+    at(i, size) = moments.WithHeight[Powers.X[i]][Powers.Y[i]];
+    diagonal[i] = at(i, i);
+  }
+  double inverse[size];
+  int usable = Degree;
+  for (int k = 0; k < size; ++k)
+  {
     // How much of the monomial is not a combination of those before it.
     constexpr double leastPivot = 1e-4;
-    if (!(pivot > leastPivot * row[i]))
+    const double pivot = at(k, k);
+    if (!(pivot > leastPivot * diagonal[k]))
     {
-      usable = Powers.X[i] + Powers.Y[i] - 1;
+      usable = Powers.X[k] + Powers.Y[k] - 1;
       break;
     }
-    pivots[i] = pivot;
-    right[i] = value;
+    inverse[k] = 1.0 / pivot;
+    for (int i = k + 1; i < size; ++i)
+    {
+      const double factor = inverse[k] * at(k, i);
+      for (int j = i / 2; j < pairs; ++j)
+      {
+        rows[i][j] -= factor * rows[k][j];
+      }
+    }
   }
   if (usable < 2)
   {
@@ -169,12 +144,12 @@ int JetFit::SolveDegree(JetCoefficients& jet)
   }
   for (int i = CountCoefficients(usable) - 1; i >= 0; --i)
   {
-    double value = right[i] / pivots[i];
+    double value = at(i, size);
     for (int k = i + 1; k < CountCoefficients(usable); ++k)
     {
-      value -= l[k][i] * jet[k];
+      value -= at(i, k) * jet[k];
     }
-    jet[i] = value;
+    jet[i] = inverse[i] * value;
   }
   return usable;
 }
@@ -183,17 +158,14 @@ int JetFit::SolveDegree(JetCoefficients& jet)
 double JetFit::GetResidual(const JetCoefficients& jet) const
 {
   double sum = 0.0;
-  for (int i = 0; i < this->Size; ++i)
+  for (const Pair& pair : this->Pairs)
   {
-    const Pair& pair = this->Pairs[i / 2];
-    const int lane = i % 2;
-    double difference = pair.Z[lane];
+    Lanes difference = pair.Z;
     for (int k = 0; k < CountCoefficients(4); ++k)
     {
-      difference -=
-        jet[k] * std::pow(pair.X[lane], Powers.X[k]) * std::pow(pair.Y[lane], Powers.Y[k]);
+      difference -= jet[k] * pair.X.pow(Powers.X[k]) * pair.Y.pow(Powers.Y[k]);
     }
-    sum += pair.W[lane] * difference * difference;
+    sum += (pair.W * difference.square()).sum();
   }
   return sum;
 }

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace npr
@@ -35,11 +36,20 @@ inline constexpr int CountCoefficients(int degree)
 class JetFit
 {
 public:
-  /// Add() must then be called so many times.
-  void Start(int numberOfPoints);
-  /// Coordinates and weights are best of about 1.
-  void Add(double x, double y, double z, double weight);
-  int GetNumberOfPoints() const { return this->Size; }
+  /// Two points side by side, as the processor adds them.
+  using Lanes = Eigen::Array2d;
+
+  /// All pairs must then be set.
+  void Start(std::size_t numberOfPairs) { this->Pairs.resize(numberOfPairs); }
+  /// Coordinates and weights are best of about 1. For one point alone the other's weight is zero.
+  void Set(std::size_t i, const Lanes& x, const Lanes& y, const Lanes& z, const Lanes& weight)
+  {
+    Pair& pair = this->Pairs[i];
+    pair.X = x;
+    pair.Y = y;
+    pair.Z = z;
+    pair.W = weight;
+  }
 
   /**
    * Fits the polynomial of the greatest degree, up to the given one, that the points determine.
@@ -63,15 +73,12 @@ private:
   template<int Degree>
   int SolveDegree(JetCoefficients& jet);
 
-  /// Two points side by side, as the processor adds them.
-  using Lanes = Eigen::Array2d;
   struct Pair
   {
     Lanes X, Y, Z, W;
     Lanes Power; // W times a power of X
   };
   std::vector<Pair, Eigen::aligned_allocator<Pair>> Pairs;
-  int Size = 0;
 };
 
 /// What a surface does at a point. Form and cubic refer to MakeTangentFrame(Normal).

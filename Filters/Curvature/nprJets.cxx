@@ -3,16 +3,14 @@
 #include "nprJets.h"
 
 #include "nprFaceCurvature.h"
-#include "nprHilbertOrder.h"
 #include "nprJetFit.h"
+#include "nprOrderedMesh.h"
 
 #include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace npr
 {
@@ -52,8 +50,8 @@ class Fitter
 {
 public:
   Fitter() = default;
-  Fitter(const TriangleMesh& mesh, const PointGraph& graph, const Tuples<3>& normals)
-    : Normals(&normals), Around(mesh, graph, normals)
+  Fitter(const PointGraph& graph, const std::vector<OrientedPoint>& points)
+    : Points(&points), Around(graph, points)
   {
   }
 
@@ -66,14 +64,13 @@ public:
       return false;
     }
     // Of all weights that fade to nothing this one lets least noise through (Epanechnikov).
-    const auto weight = [](double s, double turn) { return turn * (1.0 - s); };
+    const auto weight = [](const Lanes& s, const Lanes& turn) { return Lanes(turn * (1.0 - s)); };
     int usable = 0;
     for (bool widened = false;; widened = true)
     {
       this->Around.Collect(point, radius, rings);
-      const auto found = static_cast<int>(this->Around.GetMembers().size());
       double growth = 1.4;
-      if (found >= GetWantedPoints(degree))
+      if (this->CountPoints() >= GetWantedPoints(degree))
       {
         const double oneSided = this->Gather(point, radius, weight);
         if (widened || oneSided < LeastOneSided)
@@ -93,7 +90,8 @@ public:
     }
     if (usable < 2)
     {
-      this->Gather(point, radius, [](double s, double turn) { return turn * (1.0 - 0.9 * s); });
+      this->Gather(point, radius,
+        [](const Lanes& s, const Lanes& turn) { return Lanes(turn * (1.0 - 0.9 * s)); });
       usable = this->Fit.Solve(degree, this->Jet);
     }
     if (usable < 2)
@@ -110,8 +108,8 @@ public:
   {
     this->Around.Collect(point, radius, rings);
     // All alike: what is left over is then known to be the noise times what the fit leaves free.
-    this->Gather(point, radius, [](double, double) { return 1.0; });
-    const int freedom = this->Fit.GetNumberOfPoints() - CountCoefficients(4);
+    this->Gather(point, radius, [](const Lanes&, const Lanes&) { return Lanes(Lanes::Ones()); });
+    const int freedom = this->CountPoints() - CountCoefficients(4);
     if (freedom < 5 || this->Fit.Solve(4, this->Jet) < 4)
     {
       return false;
@@ -124,99 +122,53 @@ public:
   }
 
 private:
+  using Lanes = JetFit::Lanes;
+
+  int CountPoints() const { return static_cast<int>(this->Around.GetMembers().size()); }
+
   /// How far the points lie to one side, in radii: about 0 inside, 0.3 at a straight border.
   template<typename Weight>
   double Gather(Index point, double radius, const Weight& weight)
   {
-    this->Normal = (*this->Normals)[point].cast<double>();
+    this->Normal = (*this->Points)[point].Normal.head<3>().cast<double>();
     this->Frame = MakeTangentFrame(this->Normal);
-    const double scale = 1.0 / radius;
-    double x = 0.0;
-    double y = 0.0;
-    double sum = 0.0;
-    this->Fit.Start(static_cast<int>(this->Around.GetMembers().size()));
-    for (const Neighbourhood::Member& member : this->Around.GetMembers())
+    // In units of the radius.
+    const Vector3d toX = this->Frame.U / radius;
+    const Vector3d toY = this->Frame.V / radius;
+    const Vector3d toZ = this->Normal / radius;
+    const Lanes used[2] = { Lanes(1.0, 0.0), Lanes(1.0, 1.0) };
+    Lanes sumX = Lanes::Zero();
+    Lanes sumY = Lanes::Zero();
+    Lanes sum = Lanes::Zero();
+    const auto& members = this->Around.GetMembers();
+    this->Fit.Start((members.size() + 1) / 2);
+    for (std::size_t i = 0; i < members.size(); i += 2)
     {
-      const Vector3d offset = scale * member.Offset;
-      const double u = offset.dot(this->Frame.U);
-      const double v = offset.dot(this->Frame.V);
-      const double w = weight(member.SquaredDistance * scale * scale, member.Turn);
-      this->Fit.Add(u, v, offset.dot(this->Normal), w);
-      x += w * u;
-      y += w * v;
+      const bool isPair = i + 1 < members.size();
+      const Neighbourhood::Member& a = members[i];
+      const Neighbourhood::Member& b = members[i + isPair];
+      const Lanes offset[3] = { Lanes(a.Offset[0], b.Offset[0]), Lanes(a.Offset[1], b.Offset[1]),
+        Lanes(a.Offset[2], b.Offset[2]) };
+      const auto along = [&offset](const Vector3d& axis)
+      { return Lanes(offset[0] * axis[0] + offset[1] * axis[1] + offset[2] * axis[2]); };
+      const Lanes x = along(toX);
+      const Lanes y = along(toY);
+      const Lanes w =
+        weight(Lanes(a.SquaredDistance, b.SquaredDistance), Lanes(a.Turn, b.Turn)) * used[isPair];
+      this->Fit.Set(i / 2, x, y, along(toZ), w);
+      sumX += w * x;
+      sumY += w * y;
       sum += w;
     }
-    return std::hypot(x, y) / sum;
+    return std::hypot(sumX.sum(), sumY.sum()) / sum.sum();
   }
 
-  const Tuples<3>* Normals = nullptr;
+  const std::vector<OrientedPoint>* Points = nullptr;
   Neighbourhood Around;
   JetFit Fit;
   JetCoefficients Jet;
   Vector3d Normal;
   TangentFrame Frame;
-};
-
-//------------------------------------------------------------------------------
-/// A mesh whose points stand in memory as they lie in space: where a scanner's order is none, the
-/// search for neighbours takes half the time.
-struct OrderedMesh
-{
-  OrderedMesh(const TriangleMesh& mesh, const Tuples<3>& normals)
-    : Points(Order(mesh)), Mesh(Renumber(mesh, this->Points)), Normals(normals.size())
-  {
-    this->Mesh.BuildIncidence();
-    for (std::size_t i = 0; i < normals.size(); ++i)
-    {
-      this->Normals[i] = normals[this->Points[i]];
-    }
-  }
-
-  /// What its points are in the mesh.
-  std::vector<vtkIdType> Points;
-  TriangleMesh Mesh;
-  Tuples<3> Normals;
-
-private:
-  static std::vector<vtkIdType> Order(const TriangleMesh& mesh)
-  {
-    std::vector<Vector3d> points(mesh.GetNumberOfPoints());
-    std::transform(mesh.GetPoints().begin(), mesh.GetPoints().end(), points.begin(),
-      [](const TriangleMesh::Vector& point) { return Vector3d(point.cast<double>()); });
-    return GetHilbertOrder(points);
-  }
-
-  static TriangleMesh Renumber(const TriangleMesh& mesh, const std::vector<vtkIdType>& order)
-  {
-    std::vector<Index> numbers(order.size());
-    std::vector<TriangleMesh::Vector> points(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      numbers[order[i]] = static_cast<Index>(i);
-      points[i] = mesh.GetPoint(static_cast<Index>(order[i]));
-    }
-    // The triangles by their first point in the order.
-    std::vector<Index> places(order.size() + 1, 0);
-    const auto renumber = [&](const TriangleMesh::Triangle& corners) {
-      return TriangleMesh::Triangle{ numbers[corners[0]], numbers[corners[1]],
-        numbers[corners[2]] };
-    };
-    const auto first = [](const TriangleMesh::Triangle& corners) {
-      return std::min({ corners[0], corners[1], corners[2] });
-    };
-    for (const TriangleMesh::Triangle& corners : mesh.GetTriangles())
-    {
-      ++places[first(renumber(corners)) + 1];
-    }
-    std::partial_sum(places.begin(), places.end(), places.begin());
-    std::vector<TriangleMesh::Triangle> triangles(mesh.GetNumberOfTriangles());
-    for (const TriangleMesh::Triangle& corners : mesh.GetTriangles())
-    {
-      const TriangleMesh::Triangle renumbered = renumber(corners);
-      triangles[places[first(renumbered)]++] = renumbered;
-    }
-    return TriangleMesh(std::move(points), std::move(triangles), mesh.GetOrigin());
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -229,12 +181,12 @@ double Median(std::vector<double>& values)
 
 //------------------------------------------------------------------------------
 /// How many edges the radius must have so that noise and bias are in balance.
-double ChooseRadius(const TriangleMesh& mesh, const PointGraph& graph, const Tuples<3>& normals,
+double ChooseRadius(const PointGraph& graph, const std::vector<OrientedPoint>& points,
   const std::vector<float>& edges)
 {
   constexpr Index wanted = 1500;
   std::vector<Index> sample;
-  const Index size = mesh.GetNumberOfPoints();
+  const auto size = static_cast<Index>(points.size());
   for (Index i = 0; i < wanted; ++i)
   {
     const auto point =
@@ -250,7 +202,7 @@ double ChooseRadius(const TriangleMesh& mesh, const PointGraph& graph, const Tup
   vtkSMPTools::For(0, static_cast<vtkIdType>(sample.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      Fitter fitter(mesh, graph, normals);
+      Fitter fitter(graph, points);
       for (vtkIdType i = begin; i < end; ++i)
       {
         double noise;
@@ -281,6 +233,35 @@ double ChooseRadius(const TriangleMesh& mesh, const PointGraph& graph, const Tup
   const double radius = std::pow(Balance * noise / std::pow(bend, 4), 1.0 / 6.0);
   return std::isfinite(radius) ? std::clamp(radius, BaseRadius, GreatestChoice) : BaseRadius;
 }
+
+//------------------------------------------------------------------------------
+/// What the triangles say, where nothing is known.
+void FillFromFaces(
+  const TriangleMesh& mesh, const Tuples<3>& normals, bool derivatives, CurvatureEstimate& estimate)
+{
+  std::vector<Index> unknown;
+  for (Index i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    if (estimate.Unknown[i])
+    {
+      unknown.push_back(i);
+    }
+  }
+  if (unknown.empty())
+  {
+    return;
+  }
+  const CurvatureEstimate rest = FaceCurvature().EstimateAt(unknown, mesh, normals, derivatives);
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+  {
+    estimate.Tensors[unknown[i]] = rest.Tensors[i];
+    if (derivatives)
+    {
+      estimate.Derivatives[unknown[i]] = rest.Derivatives[i];
+    }
+    estimate.Unknown[unknown[i]] = rest.Unknown[i];
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -303,14 +284,14 @@ CurvatureEstimate Jets::Estimate(const TriangleMesh& given, const Tuples<3>& giv
   }
   const OrderedMesh ordered(given, givenNormals);
   const TriangleMesh& mesh = ordered.Mesh;
-  const Tuples<3>& normals = ordered.Normals;
   const PointGraph graph(mesh);
+  const std::vector<OrientedPoint> points = MakeOrientedPoints(mesh, ordered.Normals);
   const std::vector<float> edges = ComputeMeanEdges(mesh, graph);
   double edgeRadius = 0.0;
   if (this->Fit.Length <= 0.0)
   {
     edgeRadius = this->Fit.Radius > 0.0 ? Neighbourhood::ClampRadius(this->Fit.Radius)
-                                        : ChooseRadius(mesh, graph, normals, edges);
+                                        : ChooseRadius(graph, points, edges);
   }
   estimate.Radius = edgeRadius;
   const Index size = mesh.GetNumberOfPoints();
@@ -318,7 +299,7 @@ CurvatureEstimate Jets::Estimate(const TriangleMesh& given, const Tuples<3>& giv
   estimate.Derivatives.assign(derivatives ? size : 0, Eigen::Vector4f::Zero());
   estimate.Unknown.assign(size, 0);
   const int rings = this->GetReach() - 2;
-  vtkSMPThreadLocal<Fitter> fitters(Fitter(mesh, graph, normals));
+  vtkSMPThreadLocal<Fitter> fitters(Fitter(graph, points));
   const bool done = ForWithProgress(size, PartOf(progress, 0.1, 1.0),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -345,22 +326,9 @@ CurvatureEstimate Jets::Estimate(const TriangleMesh& given, const Tuples<3>& giv
         }
       }
     });
-  if (done && std::count(estimate.Unknown.begin(), estimate.Unknown.end(), 1) > 0)
+  if (done)
   {
-    const CurvatureEstimate rest =
-      FaceCurvature().Estimate(given, givenNormals, derivatives, IgnoreProgress);
-    for (Index i = 0; i < size; ++i)
-    {
-      if (estimate.Unknown[i])
-      {
-        estimate.Tensors[i] = rest.Tensors[i];
-        if (derivatives)
-        {
-          estimate.Derivatives[i] = rest.Derivatives[i];
-        }
-        estimate.Unknown[i] = rest.Unknown[i];
-      }
-    }
+    FillFromFaces(given, givenNormals, derivatives, estimate);
   }
   return estimate;
 }

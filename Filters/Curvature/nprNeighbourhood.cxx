@@ -29,32 +29,38 @@ PointGraph::PointGraph(const TriangleMesh& mesh)
     others.erase(std::unique(others.begin(), others.end()), others.end());
   };
   const Index size = mesh.GetNumberOfPoints();
-  this->Offsets.assign(size + 1, 0);
+  this->Rows.resize(size);
   vtkSMPTools::For(0, size,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<Index> others;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        collect(static_cast<Index>(i), others);
-        this->Offsets[i + 1] = static_cast<Index>(others.size());
+        const auto point = static_cast<Index>(i);
+        Row& row = this->Rows[i];
+        row.fill(point);
+        collect(point, others);
+        if (others.size() <= row.size())
+        {
+          std::copy(others.begin(), others.end(), row.begin());
+        }
+        else
+        {
+          row[0] = -1;
+        }
       }
     });
+  std::vector<Index> others;
   for (Index i = 0; i < size; ++i)
   {
-    this->Offsets[i + 1] += this->Offsets[i];
-  }
-  this->Neighbours.resize(this->Offsets.back());
-  vtkSMPTools::For(0, size,
-    [&](vtkIdType begin, vtkIdType end)
+    if (!this->FindRow(i))
     {
-      std::vector<Index> others;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        collect(static_cast<Index>(i), others);
-        std::copy(others.begin(), others.end(), this->Neighbours.begin() + this->Offsets[i]);
-      }
-    });
+      collect(i, others);
+      this->Rows[i][0] = -1 - static_cast<Index>(this->Long.size());
+      this->Rows[i][1] = static_cast<Index>(others.size());
+      this->Long.insert(this->Long.end(), others.begin(), others.end());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -88,9 +94,24 @@ std::vector<float> ComputeMeanEdges(const TriangleMesh& mesh, const PointGraph& 
 }
 
 //------------------------------------------------------------------------------
-Neighbourhood::Neighbourhood(
-  const TriangleMesh& mesh, const PointGraph& graph, const Tuples<3>& normals)
-  : Mesh(&mesh), Graph(&graph), Normals(&normals)
+std::vector<OrientedPoint> MakeOrientedPoints(const TriangleMesh& mesh, const Tuples<3>& normals)
+{
+  std::vector<OrientedPoint> points(mesh.GetNumberOfPoints());
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        points[i].Place << mesh.GetPoint(static_cast<TriangleMesh::Index>(i)), 0.0f;
+        points[i].Normal << normals[i], 0.0f;
+      }
+    });
+  return points;
+}
+
+//------------------------------------------------------------------------------
+Neighbourhood::Neighbourhood(const PointGraph& graph, const std::vector<OrientedPoint>& points)
+  : Graph(&graph), Points(&points)
 {
 }
 
@@ -109,13 +130,12 @@ std::uint32_t Neighbourhood::NextStamp()
 void Neighbourhood::Collect(Index centre, double radius, int rings)
 {
   // Here, so that copies for threads that never collect take no room.
-  this->PointStamps.resize(this->Mesh->GetNumberOfPoints(), 0);
+  this->PointStamps.resize(this->Points->size(), 0);
+  this->Candidates.resize(MaximumSize + PointGraph::RowSize);
   const std::uint32_t stamp = this->NextStamp();
-  const TriangleMesh::Vector origin = this->Mesh->GetPoint(centre);
-  const Eigen::Vector3f normal = (*this->Normals)[centre];
-  const double squaredRadius = radius * radius;
-  this->Members.assign(1, { centre, 1.0f, Eigen::Vector3d::Zero(), 0.0 });
-  this->Candidates.resize(MaximumSize);
+  const OrientedPoint origin = (*this->Points)[centre];
+  const auto perRadius = static_cast<float>(1.0 / radius);
+  this->Members.assign(1, { Eigen::Vector4f::Zero(), 0.0f, 1.0f, centre });
   this->PointStamps[centre] = stamp;
   std::uint32_t* const stamps = this->PointStamps.data();
   int seen = 0;
@@ -127,29 +147,54 @@ void Neighbourhood::Collect(Index centre, double radius, int rings)
     Index* const candidates = this->Candidates.data();
     int found = 0;
     const std::size_t last = this->Members.size();
-    for (; first < last; ++first)
+    for (; first < last && seen + found < MaximumSize; ++first)
     {
       const Index point = this->Members[first].Point;
-      const Index* const begin = this->Graph->Begin(point);
-      const auto size =
-        std::min<std::ptrdiff_t>(this->Graph->End(point) - begin, MaximumSize - seen - found);
-      for (const Index* other = begin; other < begin + size; ++other)
+      if (const PointGraph::Row* row = this->Graph->FindRow(point))
       {
-        candidates[found] = *other;
-        found += stamps[*other] != stamp;
-        stamps[*other] = stamp;
+        // A row's points are all different (but for itself at the end, which is not new), so that
+        // all can be read before any is written, and reading waits for little.
+        std::array<int, PointGraph::RowSize> isNew;
+        for (int i = 0; i < PointGraph::RowSize; ++i)
+        {
+          isNew[i] = stamps[(*row)[i]] != stamp;
+        }
+        for (int i = 0; i < PointGraph::RowSize; ++i)
+        {
+          const Index other = (*row)[i];
+          stamps[other] = stamp;
+          candidates[found] = other;
+          found += isNew[i];
+        }
+        continue;
+      }
+      const Index* const begin = this->Graph->Begin(point);
+      const Index* const end = begin +
+        std::min<std::ptrdiff_t>(this->Graph->End(point) - begin, MaximumSize - seen - found);
+      for (const Index* other = begin; other < end; ++other)
+      {
+        if (stamps[*other] != stamp)
+        {
+          stamps[*other] = stamp;
+          candidates[found++] = *other;
+        }
       }
     }
+    first = last;
     seen += found;
     this->Members.resize(last + found);
     Member* member = this->Members.data() + last;
     for (const Index* other = candidates; other < candidates + found; ++other)
     {
-      const Eigen::Vector3d offset = (this->Mesh->GetPoint(*other) - origin).cast<double>();
-      const double squaredDistance = offset.squaredNorm();
-      const float turn = normal.dot((*this->Normals)[*other]);
-      *member = { *other, turn, offset, squaredDistance };
-      member += (squaredDistance < squaredRadius) & (turn > 0.0f);
+      const OrientedPoint& point = (*this->Points)[*other];
+      const Eigen::Vector4f offset = point.Place - origin.Place;
+      const float squaredDistance = (perRadius * offset).squaredNorm();
+      const float turn = origin.Normal.dot(point.Normal);
+      member->Offset = offset;
+      member->SquaredDistance = squaredDistance;
+      member->Turn = turn;
+      member->Point = *other;
+      member += (squaredDistance < 1.0f) & (turn > 0.0f);
     }
     this->Members.resize(member - this->Members.data());
   }

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -23,7 +24,7 @@ namespace npr
 {
 /**
  * @class PointGraph
- * @brief The points that share a triangle with each point, ascending, in one flat list.
+ * @brief The points that share a triangle with each point, ascending.
  */
 class VTKNPRFILTERSCURVATURE_EXPORT PointGraph
 {
@@ -33,19 +34,50 @@ public:
   /// @param mesh with its incidence built
   explicit PointGraph(const TriangleMesh& mesh);
 
-  const Index* Begin(Index point) const { return this->Neighbours.data() + this->Offsets[point]; }
-  const Index* End(Index point) const { return this->Neighbours.data() + this->Offsets[point + 1]; }
-  Index GetNumberOfPoints() const { return static_cast<Index>(this->Offsets.size()) - 1; }
+  const Index* Begin(Index point) const
+  {
+    const Row& row = this->Rows[point];
+    return row[0] < 0 ? this->Long.data() + (-1 - row[0]) : row.data();
+  }
+  const Index* End(Index point) const
+  {
+    const Row& row = this->Rows[point];
+    return row[0] < 0 ? this->Begin(point) + row[1] : std::find(row.begin(), row.end(), point);
+  }
+
+  /// The neighbours of nearly all points: rows of one length, in one cache line each, so that the
+  /// processor need not guess where they end. What is left of a row is the point itself.
+  static constexpr int RowSize = 8;
+  struct alignas(32) Row : std::array<Index, RowSize>
+  {
+  };
+  /// The point's row, or null where there are more neighbours than fit.
+  const Row* FindRow(Index point) const
+  {
+    const Row& row = this->Rows[point];
+    return row[0] < 0 ? nullptr : &row;
+  }
 
 private:
-  std::vector<Index> Offsets;
-  std::vector<Index> Neighbours;
+  // Where there are more: -1 minus the place of the first in the long list, and their number.
+  std::vector<Row> Rows;
+  std::vector<Index> Long;
 };
 
 /// The mean length of the edges at each point, averaged once more over the point and its
 /// neighbours so that it changes smoothly; length. Zero at points without edges.
 VTKNPRFILTERSCURVATURE_EXPORT std::vector<float> ComputeMeanEdges(
   const TriangleMesh& mesh, const PointGraph& graph);
+
+/// A point and its unit normal, side by side in memory; the last components are zero.
+struct alignas(32) OrientedPoint
+{
+  Eigen::Vector4f Place;
+  Eigen::Vector4f Normal;
+};
+
+VTKNPRFILTERSCURVATURE_EXPORT std::vector<OrientedPoint> MakeOrientedPoints(
+  const TriangleMesh& mesh, const Tuples<3>& normals);
 
 /**
  * @class Neighbourhood
@@ -63,16 +95,16 @@ public:
   /// A point, and where it lies as seen from the centre.
   struct Member
   {
-    Index Point;
+    Eigen::Vector4f Offset; // from the centre; length; the last component is zero
+    float SquaredDistance;  // of Offset, in squared radii
     float Turn;             // cosine of the angle between its normal and the centre's
-    Eigen::Vector3d Offset; // from the centre; length
-    double SquaredDistance; // of Offset
+    Index Point;
   };
 
   /// As thread locals need it; to be assigned to.
   Neighbourhood() = default;
-  /// All three must outlive this object. The mesh needs its incidence.
-  Neighbourhood(const TriangleMesh& mesh, const PointGraph& graph, const Tuples<3>& normals);
+  /// Both must outlive this object.
+  Neighbourhood(const PointGraph& graph, const std::vector<OrientedPoint>& points);
 
   /**
    * The centre and the points that can be reached from it along edges whose points all lie within
@@ -107,9 +139,8 @@ public:
 private:
   std::uint32_t NextStamp();
 
-  const TriangleMesh* Mesh = nullptr;
   const PointGraph* Graph = nullptr;
-  const Tuples<3>* Normals = nullptr;
+  const std::vector<OrientedPoint>* Points = nullptr;
   std::vector<Member> Members;
   std::vector<Index> Candidates;
   std::vector<std::uint32_t> PointStamps;
