@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A surface in pieces has the normals, curvatures and refined triangles that it has whole.
 #include "nprCurvaturePipeline.h"
+#include "nprFaceCurvature.h"
 #include "nprIrregularMeshes.h"
 #include "nprLengthScale.h"
+#include "nprSurfaceNormals.h"
 #include "nprWeldedPoints.h"
 #include "vtkNPRSurfaceRefinement.h"
 
@@ -376,6 +378,28 @@ void TestSmoothing(Checks& check)
     check(differences.GetLargest() < 1e-3, "smooth as in the whole", differences.GetLargest());
   }
 }
+
+//------------------------------------------------------------------------------
+/// Some points alone have the very numbers that they have among all.
+void TestSomePoints(vtkPolyData* surface, Checks& check)
+{
+  npr::TriangleMesh mesh(surface);
+  mesh.BuildIncidence();
+  const npr::Tuples<3> normals = npr::ComputeNormals(mesh, npr::NormalWeights::Max);
+  const npr::FaceCurvature estimator;
+  const npr::CurvatureEstimate all = estimator.Estimate(mesh, normals, true, npr::IgnoreProgress);
+  const std::vector<npr::TriangleMesh::Index> some = { mesh.GetNumberOfPoints() - 1, 0, 57, 58 };
+  const npr::CurvatureEstimate part = estimator.EstimateAt(some, mesh, normals, true);
+  check(part.Tensors.size() == some.size() && part.Unknown.size() == some.size(),
+    "as many as were asked for", static_cast<double>(part.Tensors.size()));
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    check(part.Tensors[i] == all.Tensors[some[i]] &&
+        part.Derivatives[i] == all.Derivatives[some[i]] &&
+        part.Unknown[i] == all.Unknown[some[i]] && part.Normals[i] == all.Normals[some[i]],
+      "the same at a few points alone", some[i]);
+  }
+}
 }
 
 int TestCurvaturePieces(int, char*[])
@@ -412,6 +436,7 @@ int TestCurvaturePieces(int, char*[])
   TestSmoothing(check);
   const auto waves = MakeIrregular(MakeWaves(20), 0.01);
   npr::SetLengthScale(waves, 1.0);
+  TestSomePoints(waves, check);
   TestRefinement(waves, check);
   TestWeldedPoints(check);
   TestPreparation(waves, check);
