@@ -8,6 +8,26 @@
 
 vtkStandardNewMacro(vtkNPRContourEdges);
 
+namespace
+{
+using Index = npr::TriangleMesh::Index;
+
+/// Differences of floats are exact in double precision, and so is all else while coordinates are
+/// small whole numbers.
+struct Plane
+{
+  Plane(const npr::TriangleMesh& mesh, vtkIdType triangle)
+  {
+    const npr::TriangleMesh::Triangle& c = mesh.GetTriangle(static_cast<Index>(triangle));
+    this->Corner = mesh.GetPoint(c[0]).cast<double>();
+    this->Normal = (mesh.GetPoint(c[1]).cast<double>() - this->Corner)
+                     .cross(mesh.GetPoint(c[2]).cast<double>() - this->Corner);
+  }
+  Eigen::Vector3d Corner;
+  Eigen::Vector3d Normal;
+};
+}
+
 //------------------------------------------------------------------------------
 // 1 for triangles that face the eye, or are seen edge-on; else 0.
 void vtkNPRContourEdges::EvaluateTriangles(const npr::LineSurface& surface,
@@ -15,19 +35,22 @@ void vtkNPRContourEdges::EvaluateTriangles(const npr::LineSurface& surface,
 {
   const npr::TriangleMesh& mesh = surface.GetMesh();
   const Eigen::Vector3d eye(view.Eye[0], view.Eye[1], view.Eye[2]);
-  const double perspective = view.Perspective;
+  if (view.Perspective != 0.0f)
+  {
+    for (vtkIdType t = begin; t < end; ++t)
+    {
+      const Plane plane(mesh, t);
+      values[t] = plane.Normal.dot(eye - plane.Corner) >= 0.0;
+    }
+    return;
+  }
   // A direction is a unit vector of floats: half of the last digit of each component was rounded,
   // and it may have been as much again before.
-  const double rounding = view.Perspective == 0.0f ? 1.0 / (1 << 24) : 0.0;
+  constexpr double rounding = 1.0 / (1 << 24);
   for (vtkIdType t = begin; t < end; ++t)
   {
-    const npr::TriangleMesh::Triangle& c = mesh.GetTriangle(static_cast<Index>(t));
-    // Differences of floats are exact in double precision, and so is all else while coordinates
-    // are small whole numbers.
-    const Eigen::Vector3d corner = mesh.GetPoint(c[0]).cast<double>();
-    const Eigen::Vector3d normal = (mesh.GetPoint(c[1]).cast<double>() - corner)
-                                     .cross(mesh.GetPoint(c[2]).cast<double>() - corner);
-    values[t] = normal.dot(eye - perspective * corner) >= -rounding * normal.lpNorm<1>();
+    const Eigen::Vector3d normal = Plane(mesh, t).Normal;
+    values[t] = normal.dot(eye) >= -rounding * normal.lpNorm<1>();
   }
 }
 

@@ -142,8 +142,9 @@ void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::Li
       // The triangles must meet at the angle, too: else each edge of a sliver beside a crease would
       // be one.
       accepted = isSharp(Flat(surface, side[0]).Normal, Flat(surface, side[1]).Normal, -2.0) &&
-        isSharp(GetSideNormal(surface, side[0], distance),
-          GetSideNormal(surface, side[1], distance), FoldedFlat);
+        (distance == 0.0 ||
+          isSharp(GetSideNormal(surface, side[0], distance),
+            GetSideNormal(surface, side[1], distance), FoldedFlat));
     }
     strength[i - begin] = accepted ? 1.0f : 0.0f;
   }

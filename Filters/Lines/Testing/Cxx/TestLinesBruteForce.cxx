@@ -351,6 +351,7 @@ void TestEdges(const BruteForceMesh& mesh, int seed, Coverage& coverage, Checks&
 {
   BruteForceLines boundaries(mesh);
   BruteForceLines creases(mesh);
+  BruteForceLines junctions(mesh);
   const double cosine = std::cos(40.0 * Pi / 180.0);
   for (const auto& [edge, triangles] : boundaries.GetEdges())
   {
@@ -359,18 +360,17 @@ void TestEdges(const BruteForceMesh& mesh, int seed, Coverage& coverage, Checks&
       boundaries.AddEdge(edge);
       continue;
     }
-    bool isCrease = triangles.size() > 2;
-    if (triangles.size() == 2)
+    if (triangles.size() > 2)
     {
-      // Products of integers are exact.
-      const Vector a = GetAreaNormal(mesh, triangles[0]);
-      const Vector b = GetAreaNormal(mesh, triangles[1]);
-      const double dot =
-        IsOpposite(mesh, triangles, edge.first, edge.second) ? -a.dot(b) : a.dot(b);
-      const double norms = a.norm() * b.norm();
-      isCrease = norms > 0.0 && dot < cosine * norms;
+      junctions.AddEdge(edge);
+      continue;
     }
-    if (isCrease)
+    // Products of integers are exact.
+    const Vector a = GetAreaNormal(mesh, triangles[0]);
+    const Vector b = GetAreaNormal(mesh, triangles[1]);
+    const double dot = IsOpposite(mesh, triangles, edge.first, edge.second) ? -a.dot(b) : a.dot(b);
+    const double norms = a.norm() * b.norm();
+    if (norms > 0.0 && dot < cosine * norms)
     {
       creases.AddEdge(edge);
     }
@@ -380,7 +380,10 @@ void TestEdges(const BruteForceMesh& mesh, int seed, Coverage& coverage, Checks&
   Compare(boundaries, ExtractFrom(surface, borders), "boundaries", seed, coverage, check);
   vtkNew<vtkNPRCreases> sharp;
   sharp->SetLeastEdges(1.0);
+  sharp->SetTolerance(0.0);
   Compare(creases, ExtractFrom(surface, sharp), "creases", seed, coverage, check);
+  const auto meetings = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName("non-manifold"));
+  Compare(junctions, ExtractFrom(surface, meetings), "non-manifold", seed, coverage, check);
 }
 
 //------------------------------------------------------------------------------
