@@ -153,7 +153,7 @@ bool LineOutput::IsWanted(const LineChains& chains, std::size_t chain) const
 
 //------------------------------------------------------------------------------
 void LineOutput::Add(
-  const LineChains& chains, int type, const std::vector<float>& levels, ChainIds& ids, int& nextId)
+  const LineChains& chains, int type, const std::vector<double>& levels, ChainIds& ids, int& nextId)
 {
   std::vector<char> wanted(chains.GetNumberOfChains());
   vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()),
@@ -200,7 +200,7 @@ void LineOutput::Write(vtkPolyData* output) const
   const auto edges =
     MakeArray<vtkIdTypeArray>(names::SourceEdge, 2, hasSources ? this->NumberOfPoints : 0);
   const auto types = MakeArray<vtkIntArray>(names::LineType, 1, numberOfLines);
-  const auto levels = MakeArray<vtkFloatArray>(names::LineLevel, 1, numberOfLines);
+  const auto levels = MakeArray<vtkDoubleArray>(names::LineLevel, 1, numberOfLines);
   const auto ids = MakeArray<vtkIntArray>(names::ChainId, 1, numberOfLines);
   const auto offsets = MakeArray<vtkIdTypeArray>("Offsets", 1, numberOfLines + 1);
   const auto corners = MakeArray<vtkIdTypeArray>("Corners", 1, this->NumberOfCorners);

@@ -60,7 +60,7 @@ public:
 
   /// All must live until the output is written. `type` is the definition's number, `levels` its
   /// levels.
-  void Add(const LineChains& chains, int type, const std::vector<float>& levels, ChainIds& ids,
+  void Add(const LineChains& chains, int type, const std::vector<double>& levels, ChainIds& ids,
     int& nextId);
   /// Points, lines, and their arrays.
   void Write(vtkPolyData* output) const;
@@ -74,7 +74,7 @@ private:
     vtkIdType FirstCorner;
     int Type;
     int Id;
-    float Level;
+    double Level;
   };
   bool IsWanted(const LineChains& chains, std::size_t chain) const;
 

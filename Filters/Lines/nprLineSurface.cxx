@@ -197,7 +197,7 @@ bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int componen
 {
   if (const Array* loaded = this->FindArray(name))
   {
-    return static_cast<int>(loaded->Components.size()) == components;
+    return components == 0 || static_cast<int>(loaded->Components.size()) == components;
   }
   vtkDataArray* array = surface->GetPointData()->GetArray(name);
   if (!array && std::string(name) == names::Normals)
@@ -205,11 +205,16 @@ bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int componen
     array = surface->GetPointData()->GetNormals();
   }
   const Index numberOfPoints = this->Mesh.GetNumberOfPoints();
-  if (!array || array->GetNumberOfComponents() != components ||
+  if (components == 0 && std::string(name) == names::Normals)
+  {
+    components = 3; // as everything else takes them
+  }
+  if (!array || (components > 0 && array->GetNumberOfComponents() != components) ||
     array->GetNumberOfTuples() != numberOfPoints)
   {
     return false;
   }
+  components = array->GetNumberOfComponents();
   this->Arrays.push_back({ name, {} });
   std::vector<std::vector<float>>& spans = this->Arrays.back().Components;
   spans.assign(components, std::vector<float>(numberOfPoints));

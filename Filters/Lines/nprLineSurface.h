@@ -74,9 +74,15 @@ public:
 
   /// @name Point arrays
   ///@{
-  /// Takes an array of the surface's point data with so many components. False when it has none.
+  /// Takes an array of the surface's point data with so many components, 0 for any. False when it
+  /// has none.
   bool LoadArray(vtkPolyData* surface, const char* name, int components);
   bool HasArray(const char* name) const { return this->FindArray(name) != nullptr; }
+  /// Of an array that was loaded.
+  int GetNumberOfComponents(const char* name) const
+  {
+    return static_cast<int>(this->FindArray(name)->Components.size());
+  }
   /// One component of an array that was loaded, over all points.
   const float* GetComponent(const char* name, int component) const
   {

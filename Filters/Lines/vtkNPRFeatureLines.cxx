@@ -23,6 +23,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
@@ -50,19 +51,20 @@ Eigen::Matrix4d GetModelToWorld(vtkMatrix4x4* matrix)
   return result;
 }
 
-std::string DescribeCellArrays(vtkPolyData* surface)
+// The names of the arrays of numbers, for a message.
+std::string DescribeArrays(vtkDataSetAttributes* attributes, const std::string& kind)
 {
   std::string names;
-  for (int i = 0; i < surface->GetCellData()->GetNumberOfArrays(); ++i)
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
-    vtkDataArray* array = surface->GetCellData()->GetArray(i);
+    vtkDataArray* array = attributes->GetArray(i);
     if (array && array->GetName())
     {
       names += (names.empty() ? "" : ", ") + std::string(array->GetName());
     }
   }
-  return names.empty() ? "it has no cell arrays of numbers."
-                       : "its cell arrays are: " + names + ".";
+  return names.empty() ? "it has no " + kind + " arrays of numbers."
+                       : "its " + kind + " arrays are: " + names + ".";
 }
 }
 
@@ -123,6 +125,18 @@ public:
     }
     const StageTimer timer(*this, PLACE);
     entry.Chains.Make(*this->Surface, this->Segments, this->Paths, this->OutputSources);
+  }
+
+  // What the output says of the levels.
+  std::vector<double> GetLevels(const Entry& entry) const
+  {
+    const std::vector<float>& levels = entry.Extractor->GetLevels();
+    std::vector<double> result(levels.begin(), levels.end());
+    for (double& level : result)
+    {
+      level += entry.Definition->GetLevelOffset(*this->Surface);
+    }
+    return result;
   }
 
   // Takes the points alone where the triangles are those of the last time.
@@ -275,22 +289,32 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
     const vtkNPRLineDefinition& definition = *entry.Definition;
     for (const auto& required : definition.GetRequiredArrays())
     {
-      if (!surface.LoadArray(input, required.Name, required.Components))
+      if (surface.LoadArray(input, required.Name, required.Components))
+      {
+        continue;
+      }
+      if (!required.Maker)
+      {
+        vtkErrorMacro("The lines \"" << definition.GetName() << "\" need a point array, but the "
+                                     << "input has none named \"" << required.Name << "\"; "
+                                     << DescribeArrays(input->GetPointData(), "point"));
+      }
+      else
       {
         vtkErrorMacro("The lines \"" << definition.GetName() << "\" need the point array \""
                                      << required.Name << "\" with " << required.Components
                                      << " component(s), which the input does not have. Put "
                                      << required.Maker << " before this filter.");
-        internal.Surface.reset();
-        return false;
       }
+      internal.Surface.reset();
+      return false;
     }
     const char* const regions = definition.GetRequiredCellArray();
     if (regions && !surface.LoadRegions(input, regions))
     {
       vtkErrorMacro("The lines \"" << definition.GetName() << "\" need the cell array \"" << regions
                                    << "\", which the input does not have. Name another one; "
-                                   << DescribeCellArrays(input));
+                                   << DescribeArrays(input->GetCellData(), "cell"));
       internal.Surface.reset();
       return false;
     }
@@ -319,6 +343,13 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
     if (entry.Extractor && entry.MTime == entry.Definition->GetMTime() && !isStaticNew)
     {
       continue;
+    }
+    const std::string error = entry.Definition->FindError(surface);
+    if (!error.empty())
+    {
+      vtkErrorMacro("The lines \"" << entry.Definition->GetName() << "\": " << error << ".");
+      internal.Surface.reset();
+      return false;
     }
     if (entry.Definition->GetEdges() == vtkNPRLineDefinition::AllEdges)
     {
@@ -427,7 +458,7 @@ int vtkNPRFeatureLines::RequestData(
     }
     const Internals::StageTimer timer(internal, WRITE);
     lines.Add(
-      entry.Chains, static_cast<int>(i), entry.Extractor->GetLevels(), entry.Ids, internal.NextId);
+      entry.Chains, static_cast<int>(i), internal.GetLevels(entry), entry.Ids, internal.NextId);
     this->UpdateProgress(0.5 + 0.5 * static_cast<double>(i + 1) / internal.Entries.size());
   }
   const Internals::StageTimer timer(internal, WRITE);

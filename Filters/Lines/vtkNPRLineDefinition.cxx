@@ -6,12 +6,14 @@
 #include "vtkNPRBoundaries.h"
 #include "vtkNPRContourEdges.h"
 #include "vtkNPRCreases.h"
+#include "vtkNPRIsoLines.h"
 #include "vtkNPRNonManifoldEdges.h"
 #include "vtkNPROccludingContours.h"
 #include "vtkNPRPrincipalHighlights.h"
 #include "vtkNPRRegionBorders.h"
 #include "vtkNPRRidges.h"
 #include "vtkNPRSuggestiveContours.h"
+#include "vtkNPRTopographicLines.h"
 #include "vtkNPRValleys.h"
 
 #include <vtkSmartPointer.h>
@@ -31,6 +33,8 @@ const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRValleys::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRApparentRidges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRPrincipalHighlights::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRTopographicLines::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRIsoLines::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRCreases::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRBoundaries::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRNonManifoldEdges::New()); },
@@ -83,21 +87,37 @@ bool vtkNPRLineDefinition::IsForAnySurface() const
 void vtkNPRLineDefinition::AddParameter(
   const char* name, const char* description, double& value, double minimum, double maximum)
 {
-  this->Parameters.push_back({ name, description, &value, 1, minimum, maximum, nullptr });
+  this->Parameters.push_back({ name, description, &value, 1, minimum, maximum, nullptr, nullptr });
 }
 
 //------------------------------------------------------------------------------
 void vtkNPRLineDefinition::AddParameter(
   const char* name, const char* description, double (&values)[3], double minimum, double maximum)
 {
-  this->Parameters.push_back({ name, description, values, 3, minimum, maximum, nullptr });
+  this->Parameters.push_back({ name, description, values, 3, minimum, maximum, nullptr, nullptr });
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::AddParameter(const char* name, const char* description,
+  std::vector<double>& values, double minimum, double maximum)
+{
+  this->Parameters.push_back(
+    { name, description, nullptr, AnyNumber, minimum, maximum, &values, nullptr });
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkNPRLineDefinition::Parameter::GetNumbers() const
+{
+  return this->List ? *this->List
+    : this->Values  ? std::vector<double>(this->Values, this->Values + this->Size)
+                    : std::vector<double>();
 }
 
 //------------------------------------------------------------------------------
 void vtkNPRLineDefinition::AddTextParameter(
   const char* name, const char* description, std::string& text)
 {
-  this->Parameters.push_back({ name, description, nullptr, 0, 0.0, 0.0, &text });
+  this->Parameters.push_back({ name, description, nullptr, 0, 0.0, 0.0, nullptr, &text });
 }
 
 //------------------------------------------------------------------------------
@@ -144,17 +164,29 @@ bool vtkNPRLineDefinition::SetParameter(const char* name, double value)
 bool vtkNPRLineDefinition::SetParameter(const char* name, const std::vector<double>& values)
 {
   const Parameter* parameter = this->FindParameter(name);
+  if (!parameter || parameter->Text)
+  {
+    return false;
+  }
+  const std::size_t size = static_cast<std::size_t>(parameter->Size);
   // Written so that a NaN is refused.
-  if (!parameter || parameter->Text || static_cast<std::size_t>(parameter->Size) != values.size() ||
+  if ((parameter->List ? values.size() > size : values.size() != size) ||
     !std::all_of(values.begin(), values.end(),
       [parameter](double value)
       { return value >= parameter->Minimum && value <= parameter->Maximum; }))
   {
     return false;
   }
-  if (!std::equal(values.begin(), values.end(), parameter->Values))
+  if (parameter->GetNumbers() != values)
   {
-    std::copy(values.begin(), values.end(), parameter->Values);
+    if (parameter->List)
+    {
+      *parameter->List = values;
+    }
+    else
+    {
+      std::copy(values.begin(), values.end(), parameter->Values);
+    }
     this->Modified();
   }
   return true;
@@ -179,18 +211,15 @@ bool vtkNPRLineDefinition::SetTextParameter(const char* name, const std::string&
 //------------------------------------------------------------------------------
 double vtkNPRLineDefinition::GetParameter(const char* name) const
 {
-  const Parameter* parameter = this->FindParameter(name);
-  return parameter && parameter->Values ? *parameter->Values
-                                        : std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> numbers = this->GetParameterValues(name);
+  return numbers.empty() ? std::numeric_limits<double>::quiet_NaN() : numbers[0];
 }
 
 //------------------------------------------------------------------------------
 std::vector<double> vtkNPRLineDefinition::GetParameterValues(const char* name) const
 {
   const Parameter* parameter = this->FindParameter(name);
-  return parameter && parameter->Values
-    ? std::vector<double>(parameter->Values, parameter->Values + parameter->Size)
-    : std::vector<double>();
+  return parameter ? parameter->GetNumbers() : std::vector<double>();
 }
 
 //------------------------------------------------------------------------------
@@ -273,9 +302,9 @@ void vtkNPRLineDefinition::PrintSelf(ostream& os, vtkIndent indent)
   for (const Parameter& parameter : this->Parameters)
   {
     os << indent << parameter.Name << ":";
-    for (int i = 0; i < parameter.Size; ++i)
+    for (const double number : parameter.GetNumbers())
     {
-      os << " " << parameter.Values[i];
+      os << " " << number;
     }
     os << (parameter.Text ? " " + *parameter.Text : std::string()) << "\n";
   }

@@ -68,6 +68,8 @@ public:
   /// Null when the index is out of range.
   const char* GetParameterName(int index) const;
   const char* GetParameterDescription(int index) const;
+  /// The size of a list: it takes any number of numbers up to this.
+  static constexpr int AnyNumber = 4096;
   /// How many numbers a parameter takes; 0 for a text, -1 when there is no such parameter.
   int GetParameterSize(const char* name) const;
   /// False, and nothing is set, when there is no such parameter of so many numbers or a value is
@@ -76,7 +78,7 @@ public:
   bool SetParameter(const char* name, const std::vector<double>& values);
   /// False, and nothing is set, when there is no such text.
   bool SetTextParameter(const char* name, const std::string& text);
-  /// Its first number; NaN when there is no such parameter.
+  /// Its first number; NaN when there is no such parameter or number.
   double GetParameter(const char* name) const;
   /// All its numbers; none for a text, or when there is no such parameter.
   std::vector<double> GetParameterValues(const char* name) const;
@@ -96,7 +98,10 @@ public:
     AllEdges
   };
 
-  /// A point array that the definition reads, by its name in nprArrayNames.h, and what makes it.
+  /// As the number of components of a RequiredArray.
+  static constexpr int AnyComponents = 0;
+  /// A point array that the definition reads, mostly one of nprArrayNames.h, and what makes it:
+  /// null where that is the user.
   struct RequiredArray
   {
     const char* Name;
@@ -113,6 +118,12 @@ public:
   {
     return nullptr;
   }
+  /// What is wrong with the parameters for this surface, whose required arrays are loaded; empty
+  /// when nothing is. Words that go after "The lines "NAME":".
+  virtual std::string FindError(const npr::LineSurface&) const
+  {
+    return {};
+  }
 
   /// @name Field part
   /// The functions must be safe to call from several threads at a time.
@@ -125,6 +136,11 @@ public:
   virtual std::vector<float> GetLevels(const npr::LineSurface&) const
   {
     return { 0.0f };
+  }
+  /// What the output adds to a level, where the field is relative to the origin of the surface.
+  virtual double GetLevelOffset(const npr::LineSurface&) const
+  {
+    return 0.0;
   }
   /// Writes field[i] for the points begin <= i < end. The line runs where the field has a level,
   /// the side of higher values on its left (either way where the field has axes).
@@ -238,6 +254,8 @@ protected:
     const char* name, const char* description, double& value, double minimum, double maximum);
   void AddParameter(
     const char* name, const char* description, double (&values)[3], double minimum, double maximum);
+  void AddParameter(const char* name, const char* description, std::vector<double>& values,
+    double minimum, double maximum);
   void AddTextParameter(const char* name, const char* description, std::string& text);
   ///@}
 
@@ -246,11 +264,13 @@ private:
   {
     const char* Name;
     const char* Description;
-    double* Values; // null for a text
+    double* Values; // null for a list or a text
     int Size;
     double Minimum;
     double Maximum;
+    std::vector<double>* List;
     std::string* Text;
+    std::vector<double> GetNumbers() const;
   };
   const Parameter* FindParameter(const char* name) const;
   std::vector<Parameter> Parameters;

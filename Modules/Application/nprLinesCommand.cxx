@@ -36,7 +36,7 @@ struct LinesOptions
   ModelOptions Models;
   ViewOptions View;
   std::string Output;
-  std::string Lines = "contours,suggestive,creases,boundaries,non-manifold";
+  StyleOptions Style;
   bool List = false;
 };
 
@@ -112,10 +112,8 @@ void MakeLines(const LinesOptions& options, Reporter& reporter)
   options.View.Parse();
   // All styles have the same lines; how a style draws them plays no part.
   vtkNew<vtkNPRIllustrationStyle> style;
-  StyleOptions styleOptions;
-  styleOptions.Lines = options.Lines;
-  styleOptions.ApplyTo(style, reporter);
-  if (SplitList(options.Lines).empty())
+  options.Style.ApplyTo(style, reporter);
+  if (SplitList(options.Style.Lines).empty())
   {
     throw CommandError(UsageError, "--lines names no kind of line (npr lines --list)");
   }
@@ -155,7 +153,10 @@ void AddLinesCommand(CLI::App& program, Reporter& reporter)
   auto options = std::make_shared<LinesOptions>();
   options->Models.AddTo(*command)->required(false);
   command->add_option("-o,--output", options->Output, "The file to write, .vtp");
-  command->add_option("--lines", options->Lines, "Which kinds of lines")->capture_default_str();
+  options->Style.Lines = "contours,suggestive,creases,boundaries,non-manifold";
+  command->add_option("--lines", options->Style.Lines, "Which kinds of lines")
+    ->capture_default_str();
+  options->Style.AddSettingsTo(*command);
   command->add_flag("--list", options->List, "List the kinds of lines");
   options->View.AddTo(*command);
   command->footer(

@@ -19,8 +19,19 @@ void StyleOptions::AddTo(CLI::App& command)
   command.add_option("--lines", this->Lines,
     "The kinds of lines to draw, such as contours,suggestive; none for no lines "
     "(npr lines --list)");
+  this->AddSettingsTo(command);
   command.add_option(
     "--background", this->Background, "The paper: #rrggbb, an HTML colour name, or transparent");
+}
+
+//------------------------------------------------------------------------------
+void StyleOptions::AddSettingsTo(CLI::App& command)
+{
+  command
+    .add_option("--set", this->Settings,
+      "Set KIND.PARAMETER=VALUE of the lines: a text, or numbers parted by commas; such as "
+      "isophotes.levels=5 topographic.direction=0,1,0 (may be given several times)")
+    ->allow_extra_args(false);
 }
 
 //------------------------------------------------------------------------------
@@ -40,6 +51,19 @@ void StyleOptions::ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) c
     const bool none = this->Lines == "none";
     check(
       style->SelectLines(none ? std::vector<std::string>() : SplitList(this->Lines)), UsageError);
+  }
+  for (const std::string& setting : this->Settings)
+  {
+    const std::size_t dot = setting.find('.');
+    const std::size_t equals = setting.find('=');
+    if (dot == std::string::npos || equals == std::string::npos || equals < dot)
+    {
+      throw CommandError(UsageError,
+        "--set " + setting + ": write KIND.PARAMETER=VALUE, such as isophotes.levels=5");
+    }
+    check(style->SetLineParameter(setting.substr(0, dot), setting.substr(dot + 1, equals - dot - 1),
+            setting.substr(equals + 1)),
+      UsageError);
   }
   if (!this->Background.empty() && !this->IsTransparent())
   {

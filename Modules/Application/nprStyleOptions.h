@@ -8,6 +8,7 @@
 #define nprStyleOptions_h
 
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -23,9 +24,12 @@ struct StyleOptions
 {
   std::string Style = "technical";
   std::string Lines;
+  std::vector<std::string> Settings; ///< KIND.PARAMETER=VALUE
   std::string Background;
 
   void AddTo(CLI::App& command);
+  /// Only the option for Settings.
+  void AddSettingsTo(CLI::App& command);
   /// Throws a CommandError when the style or what is changed in it is not valid.
   void ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) const;
   bool IsTransparent() const { return this->Background == "transparent"; }

@@ -141,8 +141,7 @@ public:
       {
         if (json.is_string())
         {
-          const Color color = this->ToColor(key, json);
-          others[key] = { color.begin(), color.end() };
+          others[key] = json.get<std::string>();
         }
         else
         {
@@ -206,7 +205,7 @@ private:
     {
       if (!item.is_number() && !item.is_boolean())
       {
-        this->Fail(key, "must be a number, true or false, a colour, or a list of numbers");
+        this->Fail(key, "must be a number, true or false, a text, or a list of numbers");
       }
       numbers.push_back(item.is_boolean() ? double(item.get<bool>()) : item.get<double>());
     };

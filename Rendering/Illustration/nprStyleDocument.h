@@ -15,13 +15,16 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace npr
 {
 using Color = std::array<double, 3>;
+/// Numbers or a text, which is a colour where the parameter takes one.
+using ParameterValue = std::variant<std::vector<double>, std::string>;
 /// Parameters that go to a shading style or a line definition by their names.
-using Parameters = std::map<std::string, std::vector<double>>;
+using Parameters = std::map<std::string, ParameterValue>;
 
 /// What is wrong with a style, and at which key.
 struct StyleError : std::runtime_error

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprStyleObjects.h"
 
-#include "nprStyleDocument.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRLineDefinition.h"
 #include "vtkNPRShadingStyle.h"
 #include "vtkNPRShadingStyles.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <locale>
+#include <sstream>
 
 namespace npr
 {
@@ -27,28 +31,104 @@ std::string DescribeParameters(Object* object)
   return text.empty() ? "none" : text;
 }
 
-bool SetParameter(
-  vtkNPRShadingStyle* style, const std::string& name, const std::vector<double>& values)
+// What a parameter takes.
+struct Shape
 {
-  return style->SetParameter(name, values);
+  bool IsKnown = false;
+  bool IsText = false;
+  int Size = 0; // of numbers; 0 for any
+};
+
+Shape GetShape(vtkNPRShadingStyle* style, const std::string& name)
+{
+  for (int i = 0; i < style->GetNumberOfParameters(); ++i)
+  {
+    if (name == style->GetParameterName(i))
+    {
+      return { true, false, style->GetParameterSize(i) };
+    }
+  }
+  return {};
 }
 
-bool SetParameter(
-  vtkNPRLineDefinition* definition, const std::string& name, const std::vector<double>& values)
+Shape GetShape(vtkNPRLineDefinition* definition, const std::string& name)
 {
-  return values.size() == 1 && definition->SetParameter(name.c_str(), values[0]);
+  const int size = definition->GetParameterSize(name.c_str());
+  const bool isList = size == vtkNPRLineDefinition::AnyNumber;
+  return { size >= 0, size == 0, isList ? 0 : std::max(size, 0) };
+}
+
+bool SetNumbers(
+  vtkNPRShadingStyle* style, const std::string& name, const std::vector<double>& numbers)
+{
+  return style->SetParameter(name, numbers);
+}
+
+bool SetNumbers(
+  vtkNPRLineDefinition* definition, const std::string& name, const std::vector<double>& numbers)
+{
+  return definition->SetParameter(name.c_str(), numbers);
+}
+
+bool SetText(vtkNPRShadingStyle*, const std::string&, const std::string&)
+{
+  return false; // they have none
+}
+
+bool SetText(vtkNPRLineDefinition* definition, const std::string& name, const std::string& text)
+{
+  return definition->SetTextParameter(name.c_str(), text);
+}
+
+// The numbers of a parameter that takes so many (0: any).
+std::vector<double> GetNumbers(const ParameterValue& value, int size, const std::string& path)
+{
+  if (const auto* text = std::get_if<std::string>(&value))
+  {
+    if (size != 3)
+    {
+      throw StyleError(path + " must be " + (size == 1 ? "a number" : "a list of numbers"));
+    }
+    try
+    {
+      const Color color = ParseColor(*text);
+      return { color.begin(), color.end() };
+    }
+    catch (const StyleError& error)
+    {
+      throw StyleError(path + " is not a colour: " + error.what());
+    }
+  }
+  const auto& numbers = std::get<std::vector<double>>(value);
+  if (size > 0 && numbers.size() != static_cast<std::size_t>(size))
+  {
+    throw StyleError(path + " must be " +
+      (size == 1 ? "one number" : "a list of " + std::to_string(size) + " numbers"));
+  }
+  return numbers;
 }
 
 template<typename Object>
 void SetParameters(Object* object, const Parameters& parameters, const std::string& path)
 {
-  for (const auto& [name, values] : parameters)
+  for (const auto& [name, value] : parameters)
   {
-    if (!SetParameter(object, name, values))
+    const std::string key = path + "/" + name;
+    const Shape shape = GetShape(object, name);
+    if (!shape.IsKnown)
     {
-      throw StyleError(path + "/" + name +
-        " is not known here, or its value is out of range; besides the common keys there are: " +
-        DescribeParameters(object));
+      throw StyleError(key +
+        " is not known here; besides the common keys there are: " + DescribeParameters(object));
+    }
+    const auto* text = std::get_if<std::string>(&value);
+    if (shape.IsText && !text)
+    {
+      throw StyleError(key + " must be a text in quotes");
+    }
+    if (!(shape.IsText ? SetText(object, name, *text)
+                       : SetNumbers(object, name, GetNumbers(value, shape.Size, key))))
+    {
+      throw StyleError(key + " is out of range; there are: " + DescribeParameters(object));
     }
   }
 }
@@ -93,6 +173,31 @@ vtkSmartPointer<vtkNPRLineDefinition> MakeLineDefinition(
   }
   SetParameters(definition.Get(), line.DefinitionParameters, path);
   return definition;
+}
+
+//------------------------------------------------------------------------------
+ParameterValue ParseLineParameter(
+  const LineStyle& line, const std::string& name, const std::string& text)
+{
+  auto definition = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(line.Type.c_str()));
+  if (definition && definition->GetParameterSize(name.c_str()) == 0)
+  {
+    return text;
+  }
+  std::vector<double> numbers;
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  for (double number; stream >> number;)
+  {
+    numbers.push_back(number);
+    if (stream.peek() != ',')
+    {
+      break;
+    }
+    stream.get();
+  }
+  // What is no list of numbers is left to be refused, or to be a colour.
+  return !numbers.empty() && stream.peek() == EOF ? ParameterValue(numbers) : ParameterValue(text);
 }
 
 //------------------------------------------------------------------------------

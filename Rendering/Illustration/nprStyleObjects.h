@@ -10,6 +10,8 @@
 #ifndef nprStyleObjects_h
 #define nprStyleObjects_h
 
+#include "nprStyleDocument.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -19,16 +21,16 @@ class vtkNPRShadingStyle;
 
 namespace npr
 {
-struct LineStyle;
-struct ShadingStyle;
-struct StyleDocument;
-
 /// @throws StyleError when no such style exists or it does not take one of the parameters.
 vtkSmartPointer<vtkNPRShadingStyle> MakeShadingStyle(const ShadingStyle& shading);
 
 /// @throws StyleError, with the given path before the key.
 vtkSmartPointer<vtkNPRLineDefinition> MakeLineDefinition(
   const LineStyle& line, const std::string& path);
+
+/// What a word stands for as a parameter of a line: a text, or numbers parted by commas.
+ParameterValue ParseLineParameter(
+  const LineStyle& line, const std::string& name, const std::string& text);
 
 /// True when surfaces are not shaded at all but take the colour of the paper.
 bool IsPaper(const ShadingStyle& shading);

@@ -155,6 +155,45 @@ bool vtkNPRIllustrationStyle::SelectLines(const std::vector<std::string>& types)
 }
 
 //------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::SetLineParameter(
+  const std::string& type, const std::string& parameter, const std::string& value)
+{
+  std::vector<npr::LineStyle> lines = this->Document->Lines;
+  std::string drawn;
+  bool found = false;
+  try
+  {
+    for (npr::LineStyle& line : lines)
+    {
+      if (!line.Optional)
+      {
+        drawn += (drawn.empty() ? "" : ", ") + line.Type;
+        if (line.Type == type)
+        {
+          found = true;
+          line.DefinitionParameters[parameter] = npr::ParseLineParameter(line, parameter, value);
+          npr::MakeLineDefinition(line, type);
+        }
+      }
+    }
+  }
+  catch (const npr::StyleError& error)
+  {
+    return this->Fail(error.what());
+  }
+  if (!found)
+  {
+    return this->Fail("no lines '" + type +
+      "' are drawn, of which a parameter could be set; there are: " +
+      (drawn.empty() ? "none" : drawn));
+  }
+  this->Document->Lines = std::move(lines);
+  this->ErrorMessage.clear();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkNPRIllustrationStyle::SetBackground(const std::string& color)
 {
   try

@@ -61,6 +61,10 @@ public:
   /// of the style's first line, or plain black. An empty list means no lines.
   bool SelectLines(const std::vector<std::string>& types);
 
+  /// Set a parameter of the kind of lines that are drawn: a text, or numbers parted by commas.
+  bool SetLineParameter(
+    const std::string& type, const std::string& parameter, const std::string& value);
+
   /// Set the paper to one colour: "#rrggbb" or an HTML colour name.
   bool SetBackground(const std::string& color);
 

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Style documents: the built-in ones load; what is wrong in one is refused, named, and changes
 // nothing.
+#include "nprTestScene.h"
 #include "vtkNPRIllustrationStyle.h"
 
+#include <vtkCell.h>
 #include <vtkCommand.h>
+#include <vtkElevationFilter.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
 #include <vtkTestErrorObserver.h>
 
 #include <cstdlib>
@@ -36,6 +41,58 @@ void CheckRefused(const std::string& json, const std::string& mentioned)
     "'" + mentioned + "' is not in: " + style->GetErrorMessage());
   Check(style->GetName() == "ink", "a refused document changed the style: " + json);
 }
+
+// Parameters arrive at the lines: how many levels there are, and of what.
+void CheckLineParameters()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  vtkNew<vtkElevationFilter> elevation; // from 0 at the bottom to 1 at the top
+  elevation->SetInputConnection(sphere->GetOutputPort());
+  elevation->SetLowPoint(0.0, 0.0, -0.5);
+  elevation->SetHighPoint(0.0, 0.0, 0.5);
+  npr::TestScene scene(elevation->GetOutputPort());
+  vtkNew<vtkPolyData> lines;
+  const auto extract = [&]() -> vtkIdType
+  {
+    scene.Illustration->Apply();
+    lines->Initialize();
+    scene.Illustration->GetLines(lines);
+    return lines->GetNumberOfLines();
+  };
+  scene.Style->LoadString(R"({"shading": {"style": "paper"}, "geometry": {"refinement": 0},
+    "lines": [{"type": "isolines", "array": "Elevation", "values": [0.3, 0.52, 7]}]})");
+  Check(extract() == 2, "the levels of a list");
+  Check(scene.Style->SelectLines({ "topographic" }), "select height lines");
+  Check(scene.Style->SetLineParameter("topographic", "levels", "5"), "a number by its name");
+  Check(scene.Style->SetLineParameter("topographic", "direction", "0,2,0"), "three by theirs");
+  Check(extract() == 5, "a number of levels");
+  double bounds[6];
+  lines->GetCell(0)->GetBounds(bounds);
+  Check(bounds[3] - bounds[2] < 1.0e-6, "in the given direction");
+  Check(scene.Style->SelectLines({ "isolines" }), "select lines of an array");
+  Check(scene.Style->SetLineParameter("isolines", "array", "Elevation") &&
+      scene.Style->SetLineParameter("isolines", "values", "0.25,0.5,0.75"),
+    "a text and a list by their names");
+  Check(extract() == 3, "the levels of that list");
+
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scene.Style->AddObserver(vtkCommand::ErrorEvent, observer);
+  const auto refuses = [&](const char* type, const char* name, const char* value, const char* what)
+  {
+    Check(!scene.Style->SetLineParameter(type, name, value), std::string("accepted: ") + value);
+    Check(scene.Style->GetErrorMessage().find(what) != std::string::npos,
+      "'" + std::string(what) + "' is not in: " + scene.Style->GetErrorMessage());
+  };
+  refuses("contours", "levels", "5", "isolines");
+  refuses("isolines", "level", "5", "isolines/level is not known");
+  refuses("isolines", "levels", "5,6", "isolines/levels must be one number");
+  refuses("isolines", "levels", "5;6", "isolines/levels must be a number");
+  refuses("isolines", "levels", "", "isolines/levels must be a number");
+  refuses("isolines", "levels", "0", "isolines/levels is out of range");
+  Check(extract() == 3, "what was refused changed nothing");
+}
 }
 
 int TestIllustrationStyle(int, char*[])
@@ -57,6 +114,12 @@ int TestIllustrationStyle(int, char*[])
   Check(style->SelectLines({ "contours", "creases" }), "select lines");
   Check(style->SetBackground("tomato"), "an HTML colour");
 
+  Check(style->LoadString(R"({"lines": [{"type": "isolines", "array": "red", "values": [1, 2.5]},
+    {"type": "isolines", "array": "12", "values": [], "component": 2},
+    {"type": "topographic", "direction": [0, 1, 0], "levels": 7}]})"),
+    "texts, lists and vectors as parameters of lines");
+  CheckLineParameters();
+
   CheckRefused("", "line 1, column 1");
   CheckRefused("{\n\"name\": 1,\n]", "line 3, column 1");
   CheckRefused("[]", "object");
@@ -71,6 +134,12 @@ int TestIllustrationStyle(int, char*[])
   CheckRefused(R"({"shading": {"style": "gooch", "alhpa": 0.3}})", "/shading/alhpa");
   CheckRefused(R"({"shading": {"style": "gooch", "alpha": "much"}})", "/shading/alpha");
   CheckRefused(R"({"shading": {"style": "paper", "alpha": 1}})", "/shading/alpha");
+  CheckRefused(R"({"shading": {"style": "gooch", "alhpa": "red"}})", "/shading/alhpa is not known");
+  CheckRefused(R"({"shading": {"style": "gooch", "cool_color": "blu"}})",
+    "/shading/cool_color is not a colour");
+  CheckRefused(R"({"shading": {"style": "gooch", "cool_color": [1, 0]}})",
+    "/shading/cool_color must be a list of 3 numbers");
+  CheckRefused(R"({"shading": {"style": "gooch", "alpha": 7}})", "/shading/alpha is out of range");
   CheckRefused(R"({"lights": [{"elevation": 100}]})", "/lights/0/elevation");
   CheckRefused(R"({"lights": {}})", "/lights");
   CheckRefused(R"({"geometry": {"crease_angle": -1}})", "/geometry/crease_angle");
@@ -82,6 +151,20 @@ int TestIllustrationStyle(int, char*[])
   CheckRefused(R"({"lines": [{"type": "contours", "width": 0}]})", "/lines/0/width");
   CheckRefused(R"({"lines": [{"type": "contours", "spline": "bezier"}]})", "/lines/0/spline");
   CheckRefused(R"({"lines": [{"type": "contours", "taper": 1}]})", "/lines/0/taper");
-  CheckRefused(R"({"lines": [{"type": "creases", "angle": 270}]})", "/lines/0/angle");
+  CheckRefused(
+    R"({"lines": [{"type": "creases", "angle": 270}]})", "/lines/0/angle is out of range");
+  CheckRefused(
+    R"({"lines": [{"type": "creases", "angle": "red"}]})", "/lines/0/angle must be a number");
+  CheckRefused(
+    R"({"lines": [{"type": "creases", "angle": [30, 40]}]})", "/lines/0/angle must be one number");
+  CheckRefused(R"({"lines": [{"type": "creases", "angle": {}}]})", "/lines/0/angle");
+  CheckRefused(R"({"lines": [{"type": "isolines", "array": 3}]})", "/lines/0/array must be a text");
+  CheckRefused(R"({"lines": [{"type": "isolines", "array": ["a"]}]})", "/lines/0/array");
+  CheckRefused(R"({"lines": [{"type": "isolines", "values": "a"}]})",
+    "/lines/0/values must be a list of numbers");
+  CheckRefused(R"({"lines": [{"type": "topographic", "direction": [0, 1]}]})",
+    "/lines/0/direction must be a list of 3 numbers");
+  CheckRefused(
+    R"({"lines": [{"type": "creases", "angel": "red"}]})", "/lines/0/angel is not known");
   return Good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

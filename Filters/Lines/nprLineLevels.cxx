@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprLineLevels.h"
+
+#include "nprLineSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace npr
+{
+namespace
+{
+constexpr double Rounding = 1.0e-6; // of values in single precision, as a part of their range
+
+// The first and the last multiple of the spacing.
+FieldRange GetMultiples(const FieldRange& range, double spacing, double offset)
+{
+  const double margin = Rounding * (range.Maximum - range.Minimum);
+  return { std::ceil((range.Minimum + margin + offset) / spacing),
+    std::floor((range.Maximum - margin + offset) / spacing) };
+}
+}
+
+//------------------------------------------------------------------------------
+FieldRange GetFieldRange(const LineSurface& surface, const float* field)
+{
+  float minimum = std::numeric_limits<float>::max();
+  float maximum = std::numeric_limits<float>::lowest();
+  for (const TriangleMesh::Triangle& triangle : surface.GetMesh().GetTriangles())
+  {
+    for (const LineSurface::Index point : triangle)
+    {
+      if (std::isfinite(field[point]))
+      {
+        minimum = std::min(minimum, field[point]);
+        maximum = std::max(maximum, field[point]);
+      }
+    }
+  }
+  return minimum <= maximum ? FieldRange{ minimum, maximum } : FieldRange();
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> GetLevelsByCount(const FieldRange& range, int count)
+{
+  std::vector<float> levels;
+  for (int i = 0; i < count && range.Minimum < range.Maximum; ++i)
+  {
+    levels.push_back(
+      static_cast<float>(range.Minimum + (range.Maximum - range.Minimum) * ((i + 0.5) / count)));
+  }
+  return levels;
+}
+
+//------------------------------------------------------------------------------
+double CountLevelsBySpacing(const FieldRange& range, double spacing, double offset)
+{
+  const FieldRange multiples = GetMultiples(range, spacing, offset);
+  return range.Minimum < range.Maximum ? std::max(0.0, multiples.Maximum - multiples.Minimum + 1.0)
+                                       : 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> GetLevelsBySpacing(const FieldRange& range, double spacing, double offset)
+{
+  const double first = GetMultiples(range, spacing, offset).Minimum;
+  const auto count = static_cast<std::size_t>(CountLevelsBySpacing(range, spacing, offset));
+  std::vector<float> levels(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    levels[i] = static_cast<float>((first + i) * spacing - offset);
+  }
+  return levels;
+}
+}
