@@ -16,8 +16,8 @@ constexpr double LeastDeterminant = 0.03;
 }
 
 //------------------------------------------------------------------------------
-FieldAxes::FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes)
-  : Surface(surface), Axes(axes)
+FieldAxes::FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes, bool even)
+  : Surface(surface), Even(even), Axes(axes)
 {
   for (int i = 0; i < 3; ++i)
   {

@@ -33,7 +33,9 @@ public:
 
   /// \p axes are the components of unit vectors in the tangent planes at the points, or 0 where
   /// there is none. They must outlive this, as must the surface, which has loaded its normals.
-  FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes);
+  /// An \p even field keeps its sign when its axis is turned over: then all that counts is where
+  /// axes are not comparable.
+  FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes, bool even = false);
 
   /// 1 where the axes at two points point to the same side, -1 where they point to opposite ones, 0
   /// where they are not comparable.
@@ -43,7 +45,7 @@ public:
   /// slightly off, always to the same side in space.
   bool IsPositive(Index point, const float* field) const
   {
-    return field[point] > 0.0f || (field[point] == 0.0f && this->IsForward(point));
+    return field[point] > 0.0f || (field[point] == 0.0f && (this->Even || this->IsForward(point)));
   }
 
   /// Whether the field changes its sign between the ends.
@@ -52,6 +54,10 @@ public:
     const Index a = this->Surface.GetStart(halfEdge);
     const Index b = this->Surface.GetEnd(halfEdge);
     const bool same = this->IsPositive(a, field) == this->IsPositive(b, field);
+    if (this->Even)
+    {
+      return !same && this->GetTurn(a, b) != 0;
+    }
     const float cosine = this->GetCosine(a, b);
     // Few edges pass this, which needs no normals.
     if ((same ? cosine : -cosine) > SureCosine)
@@ -89,6 +95,7 @@ private:
   }
 
   const LineSurface& Surface;
+  const bool Even;
   std::array<const float*, 3> Axes;
   std::array<const float*, 3> Normals;
 };

@@ -63,7 +63,7 @@ void FieldValues::Start(
   }
   if (definition.HasViewAxes() || definition.GetAxes())
   {
-    this->Axes = std::make_unique<FieldAxes>(this->Surface, axes);
+    this->Axes = std::make_unique<FieldAxes>(this->Surface, axes, definition.HasEvenField());
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprLineView.h"
 
+#include "nprTangentFrame.h"
+
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
@@ -39,6 +41,16 @@ bool MakeLineView(vtkCamera* camera, const Eigen::Matrix4d& modelToWorld,
   {
     view.Eye[i] = static_cast<float>(eye[i]);
   }
+  const Eigen::Vector3d back =
+    -Eigen::Map<const Eigen::Vector3d>(camera->GetDirectionOfProjection());
+  Eigen::Vector3d right =
+    Eigen::Map<const Eigen::Vector3d>(camera->GetViewUp()).cross(back).stableNormalized();
+  if (right.squaredNorm() == 0.0)
+  {
+    right = MakeTangentFrame(back).U; // what is up means nothing
+  }
+  view.Axes = { (inverse * right).cast<float>(), (inverse * back.cross(right)).cast<float>(),
+    (inverse * back).cast<float>() };
   return true;
 }
 

@@ -32,6 +32,10 @@ struct LineView
 {
   std::array<float, 3> Eye = { 0.0f, 0.0f, 1.0f };
   float Perspective = 0.0f;
+  /// Directions as the model sees them: to the right of the viewer, upwards, and towards the
+  /// viewer. Those between are sums of them; they are no unit vectors where a prop is scaled.
+  std::array<Eigen::Vector3f, 3> Axes = { Eigen::Vector3f::UnitX(), Eigen::Vector3f::UnitY(),
+    Eigen::Vector3f::UnitZ() };
 };
 
 /// The view of a camera. \p origin is that of the LineSurface, in the space of the model. False

@@ -6,15 +6,19 @@
 #include "vtkNPRBoundaries.h"
 #include "vtkNPRContourEdges.h"
 #include "vtkNPRCreases.h"
+#include "vtkNPRDemarcatingCurves.h"
 #include "vtkNPRIsoLines.h"
+#include "vtkNPRIsophotes.h"
 #include "vtkNPRNonManifoldEdges.h"
 #include "vtkNPROccludingContours.h"
+#include "vtkNPRParabolicLines.h"
 #include "vtkNPRPrincipalHighlights.h"
 #include "vtkNPRRegionBorders.h"
 #include "vtkNPRRidges.h"
 #include "vtkNPRSuggestiveContours.h"
 #include "vtkNPRTopographicLines.h"
 #include "vtkNPRValleys.h"
+#include "vtkNPRZeroMeanCurvature.h"
 
 #include <vtkSmartPointer.h>
 
@@ -33,6 +37,10 @@ const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRValleys::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRApparentRidges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRPrincipalHighlights::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRDemarcatingCurves::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRParabolicLines::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRZeroMeanCurvature::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRIsophotes::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRTopographicLines::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRIsoLines::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRCreases::New()); },

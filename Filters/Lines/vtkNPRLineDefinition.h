@@ -180,6 +180,12 @@ public:
   {
     return nullptr;
   }
+  /// Whether the field keeps its sign when its axis is turned over. Then axes only keep lines away
+  /// from where they are not comparable.
+  virtual bool HasEvenField() const
+  {
+    return false;
+  }
   /// Whether the field has axes that change with the view: EvaluateFieldAndAxes() is called instead
   /// of EvaluateField(), and there are no GetAxes().
   virtual bool HasViewAxes() const

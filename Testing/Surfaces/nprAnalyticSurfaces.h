@@ -7,6 +7,7 @@
 #ifndef nprAnalyticSurfaces_h
 #define nprAnalyticSurfaces_h
 
+#include "nprChecks.h"
 #include "nprSurfaceTruths.h"
 #include "nprTangentFrame.h"
 
@@ -28,27 +29,6 @@
 
 namespace nprtest
 {
-constexpr double Pi = 3.14159265358979323846;
-
-/// Counts and tells what failed.
-class Checks
-{
-public:
-  bool operator()(bool condition, const std::string& what, double value = 0.0)
-  {
-    if (!condition)
-    {
-      std::cerr << "FAILED: " << what << " (" << value << ")\n";
-      ++this->Failures;
-    }
-    return condition;
-  }
-  int GetResult() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
-
-private:
-  int Failures = 0;
-};
-
 using Parametrisation = std::function<Truth(double u, double v)>;
 
 struct AnalyticSurface

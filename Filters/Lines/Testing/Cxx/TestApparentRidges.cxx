@@ -152,5 +152,5 @@ int TestApparentRidges(int, char*[])
   CheckInvariance(seen, square, ridges, check);
   CheckInvariance({ MakeWavesTruth, { 2.0, 1.0, 1.5 }, true }, square, ridges, check);
   CheckStrangeEyes(seen, square, "apparent-ridges", check);
-  return check.Result();
+  return check.GetResult();
 }

@@ -318,5 +318,5 @@ int TestContourEdges(int, char*[])
   TestAgainstWholeNumbers(MakeSheet(12, random), false, 12, random, check);
   TestSplit(check);
   TestSphere(check);
-  return check.Result();
+  return check.GetResult();
 }

@@ -209,5 +209,5 @@ int TestContours(int, char*[])
   TestTorus(check);
   TestCylinder(check);
   TestLens(check);
-  return check.Result();
+  return check.GetResult();
 }

@@ -297,5 +297,5 @@ int TestEdgeLines(int, char*[])
   TestTube(check);
   TestWings(check);
   TestTolerance(check);
-  return check.Result();
+  return check.GetResult();
 }

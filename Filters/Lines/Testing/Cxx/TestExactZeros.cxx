@@ -130,5 +130,5 @@ int TestExactZeros(int, char*[])
   check(chains.size() == 1 && chains[0].Points.back()[1] < chains[0].Points.front()[1],
     "with x > 0 on its left the line runs towards -y");
   TestJumps(check);
-  return check.Result();
+  return check.GetResult();
 }

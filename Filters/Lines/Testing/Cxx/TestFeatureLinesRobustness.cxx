@@ -115,5 +115,5 @@ int TestFeatureLinesRobustness(int, char*[])
   Checks check;
   TestErrors(check);
   TestHostileInput(check);
-  return check.Result();
+  return check.GetResult();
 }

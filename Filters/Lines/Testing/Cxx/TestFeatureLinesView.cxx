@@ -170,5 +170,5 @@ int TestFeatureLinesView(int, char*[])
   }
   TestUpdates(check);
   TestMinimumStrength(check);
-  return check.Result();
+  return check.GetResult();
 }

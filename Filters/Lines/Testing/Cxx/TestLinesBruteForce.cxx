@@ -458,5 +458,5 @@ int TestLinesBruteForce(int, char*[])
   check(coverage.PointPlaces > 10000, "lines go through points", double(coverage.PointPlaces));
   check(coverage.Meetings > 1000, "many lines meet in a place", double(coverage.Meetings));
   check(coverage.Cuts > 1000, "lines end in triangles", double(coverage.Cuts));
-  return check.Result();
+  return check.GetResult();
 }

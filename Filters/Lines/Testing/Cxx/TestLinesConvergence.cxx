@@ -382,5 +382,5 @@ int TestLinesConvergence(int, char*[])
   TestLengths("ridges", eye, makeFlat, { 16, 24, 36 }, 0.05, check);
   TestLengths("valleys", farEye, makeTangle, { 40, 60, 90 }, 0.05, check);
   TestLengths("suggestive", eye, makeWaves, { 24, 36, 54 }, 0.05, check);
-  return check.Result();
+  return check.GetResult();
 }

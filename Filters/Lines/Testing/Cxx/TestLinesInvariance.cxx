@@ -314,5 +314,5 @@ int TestLinesInvariance(int, char*[])
     TestOrder(surface, camera, check);
     TestMotions(surface, camera, check);
   }
-  return check.Result();
+  return check.GetResult();
 }

@@ -132,5 +132,5 @@ int TestPrincipalHighlights(int, char*[])
   TestTorus(check);
   TestWaves({ MakeWavesTruth, { 0.3, -0.4, 2.5 }, false }, check);
   TestWaves({ MakeWavesTruth, { 0.2, 0.1, 1.5 }, true }, check);
-  return check.Result();
+  return check.GetResult();
 }

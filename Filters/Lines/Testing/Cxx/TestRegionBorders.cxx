@@ -157,5 +157,5 @@ int TestRegionBorders(int, char*[])
   TestKinds(check);
   TestIsland(check);
   TestErrors(check);
-  return check.Result();
+  return check.GetResult();
 }

@@ -381,5 +381,5 @@ int TestRidges(int, char*[])
   TestWave(check);
   TestConstant(check);
   TestInvariance(check);
-  return check.Result();
+  return check.GetResult();
 }

@@ -157,5 +157,5 @@ int TestSuggestiveContours(int, char*[])
   Checks check;
   TestTorus({ 3.0, 1.0, 3.0 }, false, check);
   TestTorus({ 4.0, 1.0, 2.5 }, true, check);
-  return check.Result();
+  return check.GetResult();
 }

@@ -114,5 +114,5 @@ int TestTurningFields(int, char*[])
     check(turning.size() == 1 && std::abs(GetLength(turning[0]) - 2.0) < 1.0e-6,
       "exact zeros between axes of either order", double(turning.size()));
   }
-  return check.Result();
+  return check.GetResult();
 }

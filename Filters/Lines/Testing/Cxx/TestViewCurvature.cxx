@@ -125,5 +125,5 @@ int TestViewCurvature(int, char*[])
   }
   check(compared > 600, "there is something to compare", compared);
   TestLimits(check);
-  return check.Result();
+  return check.GetResult();
 }

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Isophotes of a light with the model, beside the viewer, and at the eye.
+#include "nprTrueCurves.h"
+
+#include "vtkNPRIsophotes.h"
+
+#include <vtkMath.h>
+#include <vtkTransform.h>
+
+using namespace nprtest;
+
+namespace
+{
+constexpr double ViewerDistance = 5.0; // of ExtractLines(), along z
+
+vtkSmartPointer<vtkPolyData> MakeExactSphere()
+{
+  const ParametricSurface patch = SpherePatch(1.0);
+  const ParametricSurface sphere = { patch.At, { 0.0, 2.0 * Pi, -1.565, 1.565 }, true, false };
+  const AnalyticSurface surface = MakeSurface(sphere, 120, 80);
+  AddExactArrays(surface);
+  return surface.Mesh;
+}
+
+// The lines are the circles n.l = c on a sphere: one for each level.
+void CheckCircles(const std::vector<Chain>& chains, const Vector3d& light, std::size_t levels,
+  double minimum, Checks& check)
+{
+  check(chains.size() == levels, "one circle for each level", double(chains.size()));
+  for (const Chain& chain : chains)
+  {
+    check(chain.Closed, "a circle is closed");
+    const double level = chain.Points[0].dot(light);
+    const double step = (level - minimum) / (1.0 - minimum) * (levels + 1.0);
+    check(std::abs(step - std::round(step)) < 0.02, "at even steps", step);
+    for (const Vector3d& p : chain.Points)
+    {
+      check(std::abs(p.dot(light) - level) < 2.0e-3, "all at one level", p.dot(light) - level);
+    }
+  }
+}
+
+void TestModelLight(Checks& check)
+{
+  vtkNew<vtkNPRIsophotes> isophotes;
+  check(isophotes->IsViewDependent(), "the light is the eye");
+  check(isophotes->SetParameter("direction", { 0.0, 2.0 * std::sqrt(3.0), 2.0 }), "a direction");
+  check(!isophotes->IsViewDependent(), "the light stays with the model");
+  // No line runs through the holes at the poles.
+  isophotes->SetLevels(4.0);
+  isophotes->SetMinimum(0.0);
+  const auto sphere = MakeExactSphere();
+  const Vector3d light(0.0, 0.5 * std::sqrt(3.0), 0.5);
+  CheckCircles(ExtractLines(sphere, isophotes), light, 4, 0.0, check);
+  isophotes->SetMinimum(-1.0);
+  isophotes->SetLevels(9.0);
+  CheckCircles(ExtractLines(sphere, isophotes), light, 9, -1.0, check);
+
+  isophotes->SetLevels(1.0);
+  isophotes->SetMinimum(0.8);
+  isophotes->SetThreshold(0.0);
+  isophotes->SetDirection(0.3, 0.0, 1.0);
+  const Vector3d unit = Vector3d(0.3, 0.0, 1.0).normalized();
+  CheckConvergence(
+    isophotes, { Bump(1.2), [&](const Truth& t) { return t.Normal.dot(unit) - 0.9; } }, 1, check);
+}
+
+void TestViewerLight(Checks& check)
+{
+  // The viewer of ExtractLines() looks along -z, and up is (0.1, 0.9, 0.3).
+  vtkNew<vtkNPRIsophotes> isophotes;
+  isophotes->SetLevels(4.0);
+  isophotes->SetAzimuth(40.0);
+  isophotes->SetElevation(20.0);
+  const Vector3d right = Vector3d(0.1, 0.9, 0.3).cross(Vector3d::UnitZ()).normalized();
+  const Vector3d up = Vector3d::UnitZ().cross(right);
+  const double azimuth = vtkMath::RadiansFromDegrees(40.0);
+  const double elevation = vtkMath::RadiansFromDegrees(20.0);
+  const Vector3d light = std::sin(azimuth) * std::cos(elevation) * right +
+    std::sin(elevation) * up + std::cos(azimuth) * std::cos(elevation) * Vector3d::UnitZ();
+  const auto sphere = MakeExactSphere();
+  CheckCircles(ExtractLines(sphere, isophotes), light, 4, 0.0, check);
+
+  // A prop that is turned and scaled has its light where the viewer's is.
+  vtkNew<vtkTransform> transform;
+  transform->RotateWXYZ(50.0, 1.0, 2.0, 3.0);
+  transform->Scale(0.1, 0.1, 0.1);
+  vtkNew<vtkNPRFeatureLines> lines;
+  lines->SetMatrix(transform->GetMatrix());
+  lines->SetCamera(MakeCamera({ 0.0, 0.0, ViewerDistance }));
+  lines->AddDefinition(isophotes);
+  lines->SetInputData(sphere);
+  lines->Update();
+  Vector3d turned;
+  transform->GetLinearInverse()->TransformVector(light.data(), turned.data());
+  CheckCircles(GetChains(lines->GetOutput()), turned.normalized(), 4, 0.0, check);
+}
+
+void TestEyeLight(Checks& check)
+{
+  vtkNew<vtkNPRIsophotes> isophotes;
+  isophotes->SetLevels(1.0);
+  isophotes->SetMinimum(0.8);
+  isophotes->SetThreshold(0.0);
+  const auto field = [](const Truth& t)
+  { return t.Normal.dot((Vector3d(0.0, 0.0, ViewerDistance) - t.Point).normalized()) - 0.9; };
+  CheckConvergence(isophotes, { Bump(1.2), field }, 1, check);
+  isophotes->SetThreshold(0.2);
+  const AnalyticSurface bump = MakeSurface(Bump(1.2), 120, 120);
+  AddExactArrays(bump);
+  check(ExtractLines(bump.Mesh, isophotes).size() == 1, "where the surface bends, as before");
+
+  // A flat table has isophotes in perspective, but they show nothing of its shape.
+  const auto plane = [](double x, double y) {
+    return MakeHeightTruth(x, y, { 0.0, { 0.0, 0.0 }, { 0, 0, 0 }, { 0, 0, 0, 0 } });
+  };
+  const AnalyticSurface table = MakeSurface({ plane, { -6.0, 6.0, -6.0, 6.0 } }, 60, 60);
+  AddExactArrays(table);
+  check(ExtractLines(table.Mesh, isophotes).empty(), "none on flat parts");
+  isophotes->SetThreshold(0.0);
+  check(ExtractLines(table.Mesh, isophotes).size() == 1, "but by wish");
+}
+}
+
+int TestIsophotes(int, char*[])
+{
+  Checks check;
+  TestModelLight(check);
+  TestViewerLight(check);
+  TestEyeLight(check);
+  return check.GetResult();
+}

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNPRIsophotes.h"
+
+#include "nprArrayNames.h"
+
+#include <vtkMath.h>
+#include <vtkObjectFactory.h>
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Core>
+
+vtkStandardNewMacro(vtkNPRIsophotes);
+
+// Where the light is: Place - Near * p is the vector from a point p to it.
+class vtkNPRIsophotes::Light
+{
+public:
+  Light(const vtkNPRIsophotes& lines, const npr::LineView& view, const npr::LineSurface& surface)
+    : X(surface.GetCoordinate(0)), Y(surface.GetCoordinate(1)), Z(surface.GetCoordinate(2))
+  {
+    if (!lines.IsViewDependent())
+    {
+      this->Place =
+        Eigen::Map<const Eigen::Vector3d>(lines.Direction).stableNormalized().cast<float>();
+    }
+    else if (lines.Azimuth == 0.0 && lines.Elevation == 0.0)
+    {
+      this->Place = Eigen::Map<const Eigen::Vector3f>(view.Eye.data());
+      this->Near = view.Perspective;
+    }
+    else
+    {
+      const double azimuth = vtkMath::RadiansFromDegrees(lines.Azimuth);
+      const double elevation = vtkMath::RadiansFromDegrees(lines.Elevation);
+      const auto right = static_cast<float>(std::sin(azimuth) * std::cos(elevation));
+      const auto up = static_cast<float>(std::sin(elevation));
+      const auto back = static_cast<float>(std::cos(azimuth) * std::cos(elevation));
+      this->Place = (right * view.Axes[0] + up * view.Axes[1] + back * view.Axes[2]).normalized();
+    }
+  }
+  // The unit vector to the light; 0 at the light itself.
+  Eigen::Vector3f operator()(vtkIdType i) const
+  {
+    return (this->Place - this->Near * Eigen::Vector3f(this->X[i], this->Y[i], this->Z[i]))
+      .normalized();
+  }
+
+private:
+  const float* X;
+  const float* Y;
+  const float* Z;
+  Eigen::Vector3f Place;
+  float Near = 0.0f;
+};
+
+//------------------------------------------------------------------------------
+vtkNPRIsophotes::vtkNPRIsophotes()
+{
+  this->AddParameter("levels", "how many levels there are", this->Levels, 1.0, 1000.0);
+  this->AddParameter("minimum", "the cosine from which to 1 the levels are, in equal steps",
+    this->Minimum, -1.0, 0.999);
+  this->AddParameter(
+    "azimuth", "of the light, degrees to the right of the viewer", this->Azimuth, -360.0, 360.0);
+  this->AddParameter(
+    "elevation", "of the light, degrees above the viewer", this->Elevation, -90.0, 90.0);
+  this->AddParameter("direction",
+    "to a light that stays with the model, in its coordinates; 0 0 0 for one beside the viewer",
+    this->Direction, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
+  this->AddParameter("threshold", "least curvature towards the light, times length scale",
+    this->Threshold, 0.0, 1.0e6);
+  this->AddParameter("fade", "how far above the threshold lines have their full strength",
+    this->Fade, 1.0e-6, 1.0e6);
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIsophotes::IsViewDependent() const
+{
+  return this->Direction[0] == 0.0 && this->Direction[1] == 0.0 && this->Direction[2] == 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRIsophotes::GetRequiredArrays() const
+{
+  std::vector<RequiredArray> required = { { npr::names::Normals, 3, "vtkNPRSurfaceNormals" } };
+  if (this->HasTest())
+  {
+    required.push_back({ npr::names::CurvatureTensor, 6, "vtkNPRCurvatureTensor" });
+  }
+  return required;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkNPRIsophotes::GetLevels(const npr::LineSurface&) const
+{
+  const int count = static_cast<int>(std::round(this->Levels));
+  std::vector<float> levels(count);
+  for (int i = 0; i < count; ++i)
+  {
+    levels[i] = static_cast<float>(this->Minimum + (1.0 - this->Minimum) * (i + 1) / (count + 1));
+  }
+  return levels;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIsophotes::EvaluateField(const npr::LineSurface& surface, const npr::LineView& view,
+  vtkIdType begin, vtkIdType end, float* field) const
+{
+  const Light light(*this, view, surface);
+  const float* x = surface.GetComponent(npr::names::Normals, 0);
+  const float* y = surface.GetComponent(npr::names::Normals, 1);
+  const float* z = surface.GetComponent(npr::names::Normals, 2);
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    field[i] = light(i).dot(Eigen::Vector3f(x[i], y[i], z[i]));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIsophotes::EvaluateTest(const npr::LineSurface& surface, const npr::LineView& view,
+  const Index* points, vtkIdType count, const float*, float* test) const
+{
+  const Light light(*this, view, surface);
+  std::array<const float*, 3> normals;
+  std::array<const float*, 6> tensor;
+  for (int c = 0; c < 6; ++c)
+  {
+    tensor[c] = surface.GetComponent(npr::names::CurvatureTensor, c);
+    if (c < 3)
+    {
+      normals[c] = surface.GetComponent(npr::names::Normals, c);
+    }
+  }
+  const double scale = surface.GetLengthScale();
+  for (vtkIdType j = 0; j < count; ++j)
+  {
+    const Index i = points[j];
+    const Eigen::Vector3f n(normals[0][i], normals[1][i], normals[2][i]);
+    Eigen::Vector3f l = light(i);
+    l = (l - n.dot(l) * n).normalized(); // 0 where there is no direction
+    const Eigen::Vector3f bend = {
+      tensor[0][i] * l[0] + tensor[3][i] * l[1] + tensor[5][i] * l[2],
+      tensor[3][i] * l[0] + tensor[1][i] * l[1] + tensor[4][i] * l[2],
+      tensor[5][i] * l[0] + tensor[4][i] * l[1] + tensor[2][i] * l[2],
+    };
+    const double curvature = scale * bend.norm();
+    test[j] = static_cast<float>((curvature - this->Threshold) / this->Fade);
+  }
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNPRIsophotes
+ * @brief Lines of equal light: where the angle between the normal and the light is the same.
+ *
+ * n.l = c for even steps of c between a minimum and 1, with l the unit vector to the light. The
+ * light is at the eye, or shines from a direction that keeps its place beside the viewer, or from
+ * one that stays with the model (then no view changes the lines).
+ *
+ * Lines end where the surface hardly bends towards the light (the length of II(l), l along the
+ * surface): on flat parts they would show the noise, or the perspective, and no shape.
+ *
+ * Source: Poeschl, "Detecting surface irregularities using isophotes", Computer Aided Geometric
+ * Design 1, 1984.
+ *
+ * @par Scaled props
+ * Normals are those of the model itself, also where a prop scales it unevenly.
+ *
+ * @sa vtkNPRFeatureLines
+ */
+#ifndef vtkNPRIsophotes_h
+#define vtkNPRIsophotes_h
+
+#include "vtkNPRLineDefinition.h"
+
+class VTKNPRFILTERSLINES_EXPORT vtkNPRIsophotes : public vtkNPRLineDefinition
+{
+public:
+  static vtkNPRIsophotes* New();
+  vtkTypeMacro(vtkNPRIsophotes, vtkNPRLineDefinition);
+
+  const char* GetName() const override { return "isophotes"; }
+  const char* GetDescription() const override
+  {
+    return "lines of equal light, from the eye or a direction";
+  }
+  bool IsViewDependent() const override;
+
+  ///@{
+  /// How many levels there are; a whole number. Range [1, 1000]. Default is 9.
+  vtkSetClampMacro(Levels, double, 1.0, 1000.0);
+  vtkGetMacro(Levels, double);
+  ///@}
+
+  ///@{
+  /// The levels part the cosines from this one to 1 into equal steps; it is itself none of them, as
+  /// 0 is the contour of the light. -1 has levels on the side away from the light, too. Range
+  /// [-1, 0.999]. Default is 0.
+  vtkSetClampMacro(Minimum, double, -1.0, 0.999);
+  vtkGetMacro(Minimum, double);
+  ///@}
+
+  /// @name Where the light is, beside the viewer
+  /// In degrees to the right of and above the viewer, as the lights of styles. At 0 and 0 it is
+  /// the eye itself, else so far away that only its direction counts. Ranges [-360, 360] and
+  /// [-90, 90]. Defaults are 0.
+  ///@{
+  vtkSetClampMacro(Azimuth, double, -360.0, 360.0);
+  vtkGetMacro(Azimuth, double);
+  vtkSetClampMacro(Elevation, double, -90.0, 90.0);
+  vtkGetMacro(Elevation, double);
+  ///@}
+
+  ///@{
+  /// The direction to a light that stays with the model, in its coordinates and of any length;
+  /// (0, 0, 0) for the one beside the viewer. Default is (0, 0, 0).
+  vtkSetVector3Macro(Direction, double);
+  vtkGetVector3Macro(Direction, double);
+  ///@}
+
+  ///@{
+  /// The least curvature towards the light, times the length scale (no unit). At 0 lines run
+  /// everywhere, and no curvature is needed. Range [0, 1e6]. Default is 0.1.
+  vtkSetClampMacro(Threshold, double, 0.0, 1.0e6);
+  vtkGetMacro(Threshold, double);
+  ///@}
+
+  ///@{
+  /// How far above the threshold (in its unit) a line has its full strength. Range [1e-6, 1e6].
+  /// Default is 0.2.
+  vtkSetClampMacro(Fade, double, 1.0e-6, 1.0e6);
+  vtkGetMacro(Fade, double);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  std::vector<RequiredArray> GetRequiredArrays() const override;
+  bool HasField() const override
+  {
+    return true;
+  }
+  std::vector<float> GetLevels(const npr::LineSurface& surface) const override;
+  void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view, vtkIdType begin,
+    vtkIdType end, float* field) const override;
+  bool HasTest() const override
+  {
+    return this->Threshold > 0.0;
+  }
+  void EvaluateTest(const npr::LineSurface& surface, const npr::LineView& view, const Index* points,
+    vtkIdType count, const float* fall, float* test) const override;
+#endif
+
+protected:
+  vtkNPRIsophotes();
+  ~vtkNPRIsophotes() override = default;
+
+private:
+  class Light;
+  double Levels = 9.0;
+  double Minimum = 0.0;
+  double Azimuth = 0.0;
+  double Elevation = 0.0;
+  double Direction[3] = { 0.0, 0.0, 0.0 };
+  double Threshold = 0.1;
+  double Fade = 0.2;
+
+  vtkNPRIsophotes(const vtkNPRIsophotes&) = delete;
+  void operator=(const vtkNPRIsophotes&) = delete;
+};
+
+#endif
