@@ -177,6 +177,13 @@ class TestCommand(CommandTest):
         for style in STYLES:
             self.assertIn(style, listed)
 
+    def test_set(self):
+        few, many = self.path("few.vtp"), self.path("many.vtp")
+        self.run_well("lines", self.model, "-o", few, "--lines", "topographic", "--set", "topographic.levels=2",
+                      "--set", "topographic.direction=0,1,0")
+        self.run_well("lines", self.model, "-o", many, "--lines", "topographic", "--set", "topographic.levels=8")
+        self.assertLess(len(read_segments(few)), len(read_segments(many)))
+
     def test_lines(self):
         path = self.path("lines.vtp")
         self.run_well("lines", self.model, "-o", path, "--lines", "creases")
