@@ -40,6 +40,18 @@ void AddInBlocks(vtkIdType size, std::vector<LinePiece>& pieces, const Add& add)
   }
 }
 
+// Takes out what is for other pieces of the surface to draw.
+void DropOthers(const LineSurface& surface, std::vector<LinePiece>& pieces)
+{
+  if (surface.HasGhosts())
+  {
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                   [&surface](const LinePiece& piece)
+                   { return !surface.IsOwned(piece.Sides, piece.SidesEnd); }),
+      pieces.end());
+  }
+}
+
 // What a definition says of triangles; nothing where it only looks at edges.
 std::vector<signed char> EvaluateTriangles(
   const LineSurface& surface, const vtkNPRLineDefinition& definition, const LineView& view)
@@ -152,8 +164,9 @@ void AddJumpPieces(
   const LineSurface& surface, const FieldValues& values, std::vector<LinePiece>& pieces)
 {
   const EdgeList& seams = surface.GetSeams();
-  AddInBlocks(seams.GetNumberOfEdges(), pieces,
-    [&](vtkIdType first, vtkIdType last, std::vector<LinePiece>& found)
+  std::vector<LinePiece> found;
+  AddInBlocks(seams.GetNumberOfEdges(), found,
+    [&](vtkIdType first, vtkIdType last, std::vector<LinePiece>& jumps)
     {
       std::vector<Side> sides;
       std::vector<Place> places;
@@ -164,14 +177,16 @@ void AddJumpPieces(
         if (end - begin == 1)
         {
           // Nothing is on the other side of a border, so the line runs along all of it.
-          found.push_back(GetWholeEdge(surface, begin, end, 1.0f));
+          jumps.push_back(GetWholeEdge(surface, begin, end, 1.0f));
         }
         else
         {
-          AddJumpPiecesOfEdge(surface, values, begin, end, sides, places, found);
+          AddJumpPiecesOfEdge(surface, values, begin, end, sides, places, jumps);
         }
       }
     });
+  DropOthers(surface, found);
+  pieces.insert(pieces.end(), found.begin(), found.end());
 }
 
 //------------------------------------------------------------------------------
@@ -219,6 +234,7 @@ void AddEdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& defin
   {
     DropShortRows(surface, definition.GetLeastRow(), found);
   }
+  DropOthers(surface, found);
   pieces.insert(pieces.end(), found.begin(), found.end());
 }
 }

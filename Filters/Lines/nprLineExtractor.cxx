@@ -319,6 +319,15 @@ void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
 void LineExtractor::MakeCrossings(
   const LineView& view, bool useSlopes, FieldValues& values, LineSegments& segments)
 {
+  if (this->Surface.HasGhosts())
+  {
+    for (Part& part : this->Parts)
+    {
+      part.Crossed.erase(std::remove_if(part.Crossed.begin(), part.Crossed.end(),
+                           [this](Index triangle) { return this->Surface.IsGhost(triangle); }),
+        part.Crossed.end());
+    }
+  }
   const bool tested = this->Definition.HasTest();
   if (tested)
   {

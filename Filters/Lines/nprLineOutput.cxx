@@ -19,6 +19,7 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace npr
@@ -26,6 +27,12 @@ namespace npr
 namespace
 {
 constexpr int NoId = -1;
+
+// A part of the surface that lines are known by.
+std::size_t GetPlace(const LineChains& chains, std::size_t vertex)
+{
+  return static_cast<std::size_t>(chains.Triangles[vertex] / LineClusters::TrianglesOfCluster);
+}
 
 // An array of values that are all to be set.
 template<typename Array>
@@ -40,76 +47,54 @@ vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType siz
 }
 
 //------------------------------------------------------------------------------
-std::vector<int> ChainIds::Update(
-  const LineChains& chains, const std::vector<std::size_t>& chosen, int& next)
+ChainIds::Claim ChainIds::GetClaim(const LineChains& chains, std::size_t chain) const
 {
-  const auto getPlace = [&chains](std::size_t vertex)
-  { return static_cast<std::size_t>(chains.Triangles[vertex] / LineClusters::TrianglesOfCluster); };
-  struct Claim
+  std::vector<Claim> votes;
+  for (std::size_t v = chains.Begins[chain]; v < chains.Ends[chain]; ++v)
   {
-    int Votes;
-    std::size_t Chain;
-    int Id;
-  };
-  std::vector<Claim> claims(chosen.size());
-  std::vector<std::pair<int, int>> votes; // id, how many
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-  {
-    votes.clear();
-    for (std::size_t v = chains.Begins[chosen[i]]; v < chains.Ends[chosen[i]]; ++v)
-    {
-      const int id = getPlace(v) < this->LastIds.size() ? this->LastIds[getPlace(v)] : NoId;
-      if (id == NoId)
-      {
-        continue;
-      }
-      const auto found = std::find_if(votes.rbegin(), votes.rend(),
-        [id](const std::pair<int, int>& vote) { return vote.first == id; });
-      if (found == votes.rend())
-      {
-        votes.emplace_back(id, 1);
-      }
-      else
-      {
-        ++found->second;
-      }
-    }
-    claims[i] = { 0, i, NoId };
-    for (const auto& [id, count] : votes)
-    {
-      if (count > claims[i].Votes)
-      {
-        claims[i].Votes = count;
-        claims[i].Id = id;
-      }
-    }
-  }
-  std::stable_sort(
-    claims.begin(), claims.end(), [](const Claim& a, const Claim& b) { return a.Votes > b.Votes; });
-  std::vector<int> ids(chosen.size(), NoId);
-  std::vector<int> taken;
-  taken.reserve(claims.size());
-  for (const Claim& claim : claims)
-  {
-    if (claim.Id != NoId)
-    {
-      taken.push_back(claim.Id);
-    }
-  }
-  std::sort(taken.begin(), taken.end());
-  taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
-  std::vector<char> isGiven(taken.size(), 0);
-  for (const Claim& claim : claims)
-  {
-    if (claim.Id == NoId)
+    const std::size_t place = GetPlace(chains, v);
+    const int id = place < this->LastIds.size() ? this->LastIds[place] : NoId;
+    if (id == NoId)
     {
       continue;
     }
-    char& given = isGiven[std::lower_bound(taken.begin(), taken.end(), claim.Id) - taken.begin()];
-    if (!given)
+    const auto found =
+      std::find_if(votes.rbegin(), votes.rend(), [id](const Claim& vote) { return vote.Id == id; });
+    if (found == votes.rend())
     {
-      given = 1;
-      ids[claim.Chain] = claim.Id;
+      votes.push_back({ id, 1 });
+    }
+    else
+    {
+      ++found->Votes;
+    }
+  }
+  const auto most = std::max_element(
+    votes.begin(), votes.end(), [](const Claim& a, const Claim& b) { return a.Votes < b.Votes; });
+  return most == votes.end() ? Claim{ NoId, 0 } : *most;
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> ChainIds::Update(const LineChains& chains, const std::vector<std::size_t>& chosen,
+  const std::vector<Claim>& claims, int& next)
+{
+  std::vector<std::size_t> order(chosen.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+    [&claims](std::size_t a, std::size_t b)
+    {
+      return claims[a].Id != claims[b].Id    ? claims[a].Id < claims[b].Id
+        : claims[a].Votes != claims[b].Votes ? claims[a].Votes > claims[b].Votes
+                                             : a < b;
+    });
+  std::vector<int> ids(chosen.size(), NoId);
+  int last = NoId;
+  for (const std::size_t i : order)
+  {
+    if (claims[i].Id != last)
+    {
+      last = claims[i].Id;
+      ids[i] = last;
     }
   }
   std::fill(this->LastIds.begin(), this->LastIds.end(), NoId);
@@ -121,34 +106,38 @@ std::vector<int> ChainIds::Update(
     }
     for (std::size_t v = chains.Begins[chosen[i]]; v < chains.Ends[chosen[i]]; ++v)
     {
-      if (getPlace(v) >= this->LastIds.size())
+      const std::size_t place = GetPlace(chains, v);
+      if (place >= this->LastIds.size())
       {
-        this->LastIds.resize(getPlace(v) + 1, NoId);
+        this->LastIds.resize(place + 1, NoId);
       }
-      this->LastIds[getPlace(v)] = ids[i];
+      this->LastIds[place] = ids[i];
     }
   }
   return ids;
 }
 
 //------------------------------------------------------------------------------
-bool LineOutput::IsWanted(const LineChains& chains, std::size_t chain) const
+bool LineOutput::IsWanted(
+  const LineChains& chains, std::size_t chain, const ChainIds::Claim& claim) const
 {
   const std::size_t begin = chains.Begins[chain];
   const std::size_t end = chains.Ends[chain];
+  const double share = 2 * claim.Votes > end - begin ? 1.0 - this->Settings.Hysteresis : 1.0;
   if (begin == end ||
     *std::max_element(chains.Strengths.begin() + begin, chains.Strengths.begin() + end) <
-      this->Settings.MinimumStrength)
+      share * this->Settings.MinimumStrength)
   {
     return false;
   }
+  const double least = share * this->Settings.MinimumLength;
   double length = 0.0;
-  for (std::size_t v = begin; v < end && length < this->Settings.MinimumLength; ++v)
+  for (std::size_t v = begin; v < end && length < least; ++v)
   {
     const std::size_t next = v + 1 < end ? v + 1 : chains.Closed[chain] ? begin : v;
     length += this->Settings.Ruler->Measure(chains.Positions[v], chains.Positions[next]);
   }
-  return length >= this->Settings.MinimumLength;
+  return length >= least;
 }
 
 //------------------------------------------------------------------------------
@@ -156,12 +145,14 @@ void LineOutput::Add(
   const LineChains& chains, int type, const std::vector<double>& levels, ChainIds& ids, int& nextId)
 {
   std::vector<char> wanted(chains.GetNumberOfChains());
+  std::vector<ChainIds::Claim> claims(wanted.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType chain = begin; chain < end; ++chain)
       {
-        wanted[chain] = this->IsWanted(chains, chain);
+        claims[chain] = ids.GetClaim(chains, chain);
+        wanted[chain] = this->IsWanted(chains, chain, claims[chain]);
       }
     });
   std::vector<std::size_t> chosen;
@@ -169,10 +160,11 @@ void LineOutput::Add(
   {
     if (wanted[chain])
     {
+      claims[chosen.size()] = claims[chain];
       chosen.push_back(chain);
     }
   }
-  const std::vector<int> given = ids.Update(chains, chosen, nextId);
+  const std::vector<int> given = ids.Update(chains, chosen, claims, nextId);
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     const vtkIdType size = static_cast<vtkIdType>(chains.GetSize(chosen[i]));

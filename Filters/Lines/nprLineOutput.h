@@ -23,16 +23,25 @@ namespace npr
  * @class ChainIds
  * @brief Gives the lines of one definition numbers that they keep from view to view.
  *
- * A chain takes the number of the chain that ran through most of its places before; of several that
- * want one number that with the most such places has it, and the others get new ones.
+ * A chain claims the number of the chain that ran through most of its places before; of several
+ * that claim one number that with the most such places has it, and the others get new ones.
  */
 class VTKNPRFILTERSLINES_EXPORT ChainIds
 {
 public:
-  /// One for each of the chosen chains, all different. `next` is the first that was never given,
-  /// here or to other definitions, and goes on.
-  std::vector<int> Update(
-    const LineChains& chains, const std::vector<std::size_t>& chosen, int& next);
+  /// The number that a chain claims, and through how many of its vertices' places a line with it
+  /// ran before. 0 for none.
+  struct Claim
+  {
+    int Id;
+    std::size_t Votes;
+  };
+  Claim GetClaim(const LineChains& chains, std::size_t chain) const;
+
+  /// One for each of the chosen chains, which claim these, all different. `next` is the first that
+  /// was never given, here or to other definitions, and goes on.
+  std::vector<int> Update(const LineChains& chains, const std::vector<std::size_t>& chosen,
+    const std::vector<Claim>& claims, int& next);
 
 private:
   std::vector<int> LastIds; // of places on the surface
@@ -50,6 +59,7 @@ public:
   {
     double MinimumLength = 0.0; ///< heights of the view
     float MinimumStrength = 0.0f;
+    double Hysteresis = 0.0; ///< by how much less will do for chains that were there before
     const LineRuler* Ruler = nullptr; ///< null where there is no camera
   };
 
@@ -76,7 +86,7 @@ private:
     int Id;
     double Level;
   };
-  bool IsWanted(const LineChains& chains, std::size_t chain) const;
+  bool IsWanted(const LineChains& chains, std::size_t chain, const ChainIds::Claim& claim) const;
 
   const Eigen::Vector3d Origin;
   const Options Settings;

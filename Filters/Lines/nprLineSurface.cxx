@@ -11,10 +11,12 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <numeric>
@@ -77,8 +79,61 @@ LineSurface::LineSurface(vtkPolyData* surface, double lengthScale)
   }
   this->SetOrder(mesh);
   this->SetCoordinates();
+  this->SetGhosts(surface);
   this->BuildTwins();
   this->BuildSeams();
+}
+
+//------------------------------------------------------------------------------
+void LineSurface::SetGhosts(vtkPolyData* surface)
+{
+  this->Ghosts.clear();
+  this->GhostsMiddles.clear();
+  vtkUnsignedCharArray* const flags = surface->GetCellGhostArray();
+  if (!flags || flags->GetNumberOfValues() < surface->GetNumberOfCells())
+  {
+    return;
+  }
+  std::vector<unsigned char> ghosts(this->CellIds.size());
+  for (std::size_t t = 0; t < ghosts.size(); ++t)
+  {
+    constexpr unsigned char others = vtkDataSetAttributes::DUPLICATECELL |
+      vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+    ghosts[t] = (flags->GetValue(this->CellIds[t]) & others) != 0;
+  }
+  if (std::find(ghosts.begin(), ghosts.end(), 1) == ghosts.end())
+  {
+    return;
+  }
+  this->Ghosts = std::move(ghosts);
+  // From the points as the input has them: the same bits in each piece.
+  this->GhostsMiddles.resize(this->CellIds.size());
+  for (std::size_t t = 0; t < this->CellIds.size(); ++t)
+  {
+    std::array<double, 3>& middle = this->GhostsMiddles[t];
+    middle.fill(0.0);
+    for (const Index corner : this->Mesh.GetTriangle(static_cast<Index>(t)))
+    {
+      double point[3];
+      surface->GetPoint(this->GetPointId(corner), point);
+      for (int i = 0; i < 3; ++i)
+      {
+        middle[i] += point[i];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool LineSurface::IsOwned(const Index* begin, const Index* end) const
+{
+  if (!this->HasGhosts())
+  {
+    return true;
+  }
+  const Index first = *std::min_element(begin, end,
+    [this](Index a, Index b) { return this->GhostsMiddles[a / 3] < this->GhostsMiddles[b / 3]; });
+  return !this->Ghosts[first / 3];
 }
 
 //------------------------------------------------------------------------------
@@ -106,6 +161,7 @@ bool LineSurface::Move(vtkPolyData* surface, double lengthScale)
   }
   this->Mesh.MovePoints(std::move(points), mesh.GetOrigin());
   this->SetCoordinates();
+  this->SetGhosts(surface);
   this->Arrays.clear();
   this->Regions.clear();
   return true;

@@ -62,6 +62,16 @@ public:
   /// A given `lengthScale` greater than 0 overrides what the data says.
   explicit LineSurface(vtkPolyData* surface, double lengthScale = 0.0);
 
+  /// @name Pieces
+  /// Triangles that another piece of the surface has too, and that are not this piece's to draw.
+  ///@{
+  bool HasGhosts() const { return !this->Ghosts.empty(); }
+  bool IsGhost(Index triangle) const { return this->HasGhosts() && this->Ghosts[triangle]; }
+  /// Whether lines along an edge, with the half-edges [begin, end), are this piece's: those along
+  /// an edge that several pieces share are of the one that has the first of its triangles in space.
+  bool IsOwned(const Index* begin, const Index* end) const;
+  ///@}
+
   /// Takes the points of a surface that has the same triangles, and with them whatever is at the
   /// points: arrays are to be loaded again. False, and nothing has changed, if its triangles are
   /// others.
@@ -145,6 +155,7 @@ private:
   };
   const Array* FindArray(const char* name) const;
   void SetOrder(const TriangleMesh& mesh);
+  void SetGhosts(vtkPolyData* surface);
   void SetCoordinates();
   void BuildTwins();
   void BuildSeams();
@@ -161,6 +172,9 @@ private:
   std::array<std::vector<float>, 3> Coordinates;
   std::vector<Array> Arrays;
   std::map<std::string, std::vector<Index>> Regions;
+
+  std::vector<unsigned char> Ghosts;                // empty where there are none
+  std::vector<std::array<double, 3>> GhostsMiddles; // of all triangles, where there are ghosts
 
   // What the triangles came from, to know them again. Kept, so that no others have their address.
   vtkSmartPointer<vtkCellArray> Polygons;

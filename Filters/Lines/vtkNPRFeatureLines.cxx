@@ -4,6 +4,7 @@
 
 #include "nprArrayNames.h"
 #include "nprFieldValues.h"
+#include "nprGhostLevels.h"
 #include "nprLineChains.h"
 #include "nprLineClusters.h"
 #include "nprLineExtractor.h"
@@ -12,6 +13,7 @@
 #include "nprLineSurface.h"
 #include "nprLineView.h"
 #include "nprProgress.h"
+#include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkCamera.h>
@@ -30,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -89,6 +92,11 @@ public:
   npr::LineSegments Segments;
   npr::LinePaths Paths;
   int NextId = 0;
+
+  // What was made where arrays were missing, and of which input.
+  vtkSmartPointer<vtkPolyData> Curvature;
+  vtkSmartPointer<vtkPolyData> CurvatureInput;
+  vtkMTimeType CurvatureInputMTime = 0;
 
   vtkSmartPointer<vtkPolyData> Input; // kept, so that no other can have its address
   vtkMTimeType InputMTime = 0;
@@ -304,7 +312,9 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
         vtkErrorMacro("The lines \"" << definition.GetName() << "\" need the point array \""
                                      << required.Name << "\" with " << required.Components
                                      << " component(s), which the input does not have. Put "
-                                     << required.Maker << " before this filter.");
+                                     << required.Maker
+                                     << " before this filter, or let it do so itself by "
+                                        "ComputeMissingArraysOn.");
       }
       internal.Surface.reset();
       return false;
@@ -393,6 +403,56 @@ double vtkNPRFeatureLines::GetStageSeconds(int stage) const
 }
 
 //------------------------------------------------------------------------------
+int vtkNPRFeatureLines::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The triangles around those of the piece; and as many more as edges must hang together.
+  double rings = 1.0;
+  for (const Internals::Entry& entry : this->Internal->Entries)
+  {
+    rings = std::max(rings, std::ceil(entry.Definition->GetLeastRow()));
+  }
+  npr::RequestGhostLevels(inputVector[0]->GetInformationObject(0),
+    outputVector->GetInformationObject(0), static_cast<int>(std::min(rings, 1000.0)));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// The input, or if wanted what the curvature filter makes of it where arrays are missing.
+vtkPolyData* vtkNPRFeatureLines::GetSurface(vtkPolyData* input)
+{
+  Internals& internal = *this->Internal;
+  if (!this->ComputeMissingArrays)
+  {
+    return input;
+  }
+  const bool isMissing = std::any_of(internal.Entries.begin(), internal.Entries.end(),
+    [input](const Internals::Entry& entry)
+    {
+      const auto required = entry.Definition->GetRequiredArrays();
+      return std::any_of(required.begin(), required.end(),
+        [input](const auto& array) { return !input->GetPointData()->HasArray(array.Name); });
+    });
+  if (!isMissing)
+  {
+    return input;
+  }
+  if (!internal.Curvature || internal.CurvatureInput != input ||
+    internal.CurvatureInputMTime != input->GetMTime())
+  {
+    vtkNew<vtkNPRCurvatureTensor> curvature;
+    vtkNew<vtkPolyData> surface;
+    surface->ShallowCopy(input);
+    curvature->SetInputData(surface);
+    curvature->Update();
+    internal.Curvature = curvature->GetOutput();
+    internal.CurvatureInput = input;
+    internal.CurvatureInputMTime = input->GetMTime();
+  }
+  return internal.Curvature;
+}
+
+//------------------------------------------------------------------------------
 int vtkNPRFeatureLines::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -425,7 +485,7 @@ int vtkNPRFeatureLines::RequestData(
     npr::LineOutput(Eigen::Vector3d::Zero(), {}).Write(output);
     return 1;
   }
-  if (!this->PrepareSurface(input))
+  if (!this->PrepareSurface(this->GetSurface(input)))
   {
     return 0;
   }
@@ -447,8 +507,9 @@ int vtkNPRFeatureLines::RequestData(
     ruler = std::make_unique<npr::LineRuler>(this->Camera, modelToWorld, origin);
   }
 
-  npr::LineOutput lines(
-    origin, { this->MinimumLength, static_cast<float>(this->MinimumStrength), ruler.get() });
+  npr::LineOutput lines(origin,
+    { this->MinimumLength, static_cast<float>(this->MinimumStrength), this->Hysteresis,
+      ruler.get() });
   for (std::size_t i = 0; i < internal.Entries.size() && !npr::IsAborted(this); ++i)
   {
     Internals::Entry& entry = internal.Entries[i];
@@ -475,9 +536,11 @@ void vtkNPRFeatureLines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LengthScale: " << this->LengthScale << "\n";
   os << indent << "MinimumLength: " << this->MinimumLength << "\n";
   os << indent << "MinimumStrength: " << this->MinimumStrength << "\n";
+  os << indent << "Hysteresis: " << this->Hysteresis << "\n";
   os << indent << "Strategy: " << this->Strategy << "\n";
   os << indent << "SeedShare: " << this->SeedShare << "\n";
   os << indent << "Interpolation: " << this->Interpolation << "\n";
+  os << indent << "ComputeMissingArrays: " << this->ComputeMissingArrays << "\n";
   os << indent << "OutputSources: " << this->OutputSources << "\n";
   os << indent << "Definitions: " << this->GetNumberOfDefinitions() << "\n";
   for (const Internals::Entry& entry : this->Internal->Entries)

@@ -37,6 +37,11 @@
  * lines) is kept until the input or a definition changes; what depends on the triangles alone is
  * kept while just the points of the input move.
  *
+ * @par Pieces
+ * Asks for ghost levels and draws what is in its own triangles; chains end where pieces meet. So N
+ * pieces have the segments of the whole, if all have one LengthScale, and levels that do not follow
+ * from the range of values in a piece.
+ *
  * @sa vtkNPRLineDefinition
  */
 #ifndef vtkNPRFeatureLines_h
@@ -117,6 +122,14 @@ public:
   vtkGetMacro(MinimumStrength, double);
   ///@}
 
+  ///@{
+  /// Chains that run mostly where one ran in the last view are kept down to this much less than
+  /// MinimumLength and MinimumStrength, as a share of them, so that lines do not come and go while
+  /// the camera moves. Range [0, 1]. Default is 0: a view looks the same whatever was seen before.
+  vtkSetClampMacro(Hysteresis, double, 0.0, 1.0);
+  vtkGetMacro(Hysteresis, double);
+  ///@}
+
   enum StrategyType
   {
     FULL_TRAVERSAL,
@@ -162,6 +175,14 @@ public:
   vtkBooleanMacro(OutputSources, bool);
   ///@}
 
+  ///@{
+  /// Whether the curvature of inputs that lack arrays is computed here, as vtkNPRCurvatureTensor
+  /// does by itself, instead of refusing them. Default is off.
+  vtkSetMacro(ComputeMissingArrays, bool);
+  vtkGetMacro(ComputeMissingArrays, bool);
+  vtkBooleanMacro(ComputeMissingArrays, bool);
+  ///@}
+
   enum StageType
   {
     PREPARE, ///< what no view changes
@@ -186,9 +207,11 @@ protected:
   vtkNPRFeatureLines();
   ~vtkNPRFeatureLines() override;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  vtkPolyData* GetSurface(vtkPolyData* input);
   bool PrepareSurface(vtkPolyData* input);
   npr::LineOptions GetOptions() const;
 
@@ -197,10 +220,12 @@ private:
   double LengthScale = 0.0;
   double MinimumLength = 0.0;
   double MinimumStrength = 0.0;
+  double Hysteresis = 0.0;
   int Strategy = HIERARCHICAL;
   double SeedShare = 0.005;
   int Interpolation = LINEAR;
   bool OutputSources = false;
+  bool ComputeMissingArrays = false;
 
   class Internals;
   std::unique_ptr<Internals> Internal;
