@@ -17,11 +17,14 @@ class TestSheet(CommandTest):
         self.assertEqual(channels, 3)
         return result, width, height, rows
 
-    def cell(self, rows, width, height, across, down, column, row):
-        """The darkest channels of the pixels of a cell and its label."""
-        xs = range(column * width // across, (column + 1) * width // across)
-        ys = range(row * height // down, (row + 1) * height // down)
-        return [max(rows[y][3 * x : 3 * x + 3]) for y in ys for x in xs]
+    def picture(self, rows, width, height, across, down, cell):
+        """The lightest channels of the pixels of a cell, without its label."""
+        gap = (width - across * CELL[0]) // (across + 1)
+        left = gap + cell % across * (CELL[0] + gap)
+        top = gap + cell // across * ((height - gap) // down)
+        return bytes(
+            max(rows[y][3 * x : 3 * x + 3]) for y in range(top, top + CELL[1]) for x in range(left, left + CELL[0])
+        )
 
     def test_every_kind_that_needs_nothing(self):
         result, width, height, rows = self.sheet()
@@ -36,11 +39,12 @@ class TestSheet(CommandTest):
         self.assertTrue(down * CELL[1] < height < down * CELL[1] * 1.5)
         pictures = set()
         for i in range(count):
-            cell = self.cell(rows, width, height, across, down, i % across, i // across)
-            ink = sum(1 for value in cell if value < 200)
-            self.assertTrue(100 < ink < 0.4 * len(cell), "cell %d has %d pixels of ink" % (i, ink))
-            pictures.add(bytes(cell))
-        self.assertEqual(len(pictures), count, "no two cells are the same")
+            picture = self.picture(rows, width, height, across, down, i)
+            ink = sum(1 for value in picture if value < 200)
+            self.assertTrue(100 < ink < 0.4 * len(picture), "cell %d has %d pixels of ink" % (i, ink))
+            pictures.add(picture)
+        # The sample is closed, so some kinds have no lines on it, and their cells are alike.
+        self.assertGreaterEqual(len(pictures), 6, "each cell shows a kind of its own")
         border = [rows[0], rows[-1]] + [row[:9] + row[-9:] for row in rows]
         self.assertTrue(all(min(row) == 255 for row in border), "white margins")
         self.assertTrue(result.stderr == "")
