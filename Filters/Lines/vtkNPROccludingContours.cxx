@@ -29,7 +29,8 @@ void vtkNPROccludingContours::EvaluateSlopes(const npr::LineSurface& surface,
 {
   const npr::TriangleMesh& mesh = surface.GetMesh();
   const Eigen::Vector3f eye(view.Eye[0], view.Eye[1], view.Eye[2]);
-  // n.(eye - p) changes along x by II(x, eye - p) - n.x.
+  // Along a curve on the surface with the tangent x, n.(eye - p) changes by II(x, eye - p): n.x is
+  // 0 there. The edge is the chord of such a curve.
   const auto getSlope = [&](Index point, const Eigen::Vector3f& edge)
   {
     const auto get = [&](const char* name, int component)
@@ -38,10 +39,7 @@ void vtkNPROccludingContours::EvaluateSlopes(const npr::LineSurface& surface,
     const Eigen::Vector3f turn(tensor(0) * edge.x() + tensor(3) * edge.y() + tensor(5) * edge.z(),
       tensor(3) * edge.x() + tensor(1) * edge.y() + tensor(4) * edge.z(),
       tensor(5) * edge.x() + tensor(4) * edge.y() + tensor(2) * edge.z());
-    const Eigen::Vector3f normal(
-      get(npr::names::Normals, 0), get(npr::names::Normals, 1), get(npr::names::Normals, 2));
-    return turn.dot(eye - view.Perspective * mesh.GetPoint(point)) -
-      view.Perspective * normal.dot(edge);
+    return turn.dot(eye - view.Perspective * mesh.GetPoint(point));
   };
   for (vtkIdType i = 0; i < count; ++i)
   {

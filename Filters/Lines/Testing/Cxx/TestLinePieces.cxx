@@ -66,7 +66,7 @@ void TestPieces(Checks& check)
     lines->SetInputConnection(pieces->GetOutputPort());
     lines->UpdatePiece(0, 1, 0);
     const auto whole = GetSegments(GetChains(lines->GetOutput()));
-    check(whole.size() > 50, name, static_cast<double>(whole.size()));
+    check(whole.size() > 30, name, static_cast<double>(whole.size()));
     for (const int count : { 2, 3, 7 })
     {
       std::vector<Segment> all;

@@ -6,6 +6,7 @@
 #include "nprLineTesting.h"
 
 #include "vtkNPRCurvatureTensor.h"
+#include "vtkNPRLineDefinition.h"
 
 #include <vtkIntArray.h>
 
@@ -106,7 +107,7 @@ void TestChainIds(Checks& check)
   std::set<int> last;
   double kept = 0.0;
   double all = 0.0;
-  for (int view = 0; view < 20; ++view)
+  for (int view = 0; view < 40; ++view)
   {
     const double angle = 0.5 * view * Pi / 180.0;
     camera->SetPosition(3.0 * std::sin(angle), 2.0, 3.0 * std::cos(angle));
