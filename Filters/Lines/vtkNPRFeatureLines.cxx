@@ -125,7 +125,9 @@ public:
   {
     {
       const StageTimer timer(*this, EXTRACT);
+      entry.Definition->BeginView(*this->Surface, view);
       entry.Extractor->Extract(view, options, *this->Values, this->Segments);
+      entry.Definition->EndView(*this->Surface);
     }
     {
       const StageTimer timer(*this, JOIN);
@@ -295,6 +297,7 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
   for (Internals::Entry& entry : internal.Entries)
   {
     const vtkNPRLineDefinition& definition = *entry.Definition;
+    entry.Definition->BindInput(input);
     for (const auto& required : definition.GetRequiredArrays())
     {
       if (surface.LoadArray(input, required.Name, required.Components))

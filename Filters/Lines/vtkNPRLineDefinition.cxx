@@ -7,6 +7,7 @@
 #include "vtkNPRContourEdges.h"
 #include "vtkNPRCreases.h"
 #include "vtkNPRDemarcatingCurves.h"
+#include "vtkNPRExpressionLines.h"
 #include "vtkNPRIsoLines.h"
 #include "vtkNPRIsophotes.h"
 #include "vtkNPRNonManifoldEdges.h"
@@ -16,6 +17,7 @@
 #include "vtkNPRRegionBorders.h"
 #include "vtkNPRRidges.h"
 #include "vtkNPRSuggestiveContours.h"
+#include "vtkNPRSuggestiveHighlights.h"
 #include "vtkNPRTopographicLines.h"
 #include "vtkNPRValleys.h"
 #include "vtkNPRZeroMeanCurvature.h"
@@ -33,6 +35,7 @@ const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPROccludingContours::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRContourEdges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRSuggestiveContours::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRSuggestiveHighlights::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRRidges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRValleys::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRApparentRidges::New()); },
@@ -47,22 +50,47 @@ const Maker Makers[] = {
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRBoundaries::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRNonManifoldEdges::New()); },
   [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRRegionBorders::New()); },
+  [] { return static_cast<vtkNPRLineDefinition*>(vtkNPRExpressionLines::New()); },
 };
 constexpr int NumberOfMakers = static_cast<int>(sizeof(Makers) / sizeof(Makers[0]));
+
+std::vector<vtkSmartPointer<vtkNPRLineDefinition>>& GetAddedKinds()
+{
+  static std::vector<vtkSmartPointer<vtkNPRLineDefinition>> kinds;
+  return kinds;
+}
+
+vtkNPRLineDefinition* NewBuiltIn(const std::string& name)
+{
+  for (const Maker& maker : Makers)
+  {
+    vtkNPRLineDefinition* definition = maker();
+    if (name == definition->GetName())
+    {
+      return definition;
+    }
+    definition->Delete();
+  }
+  return nullptr;
+}
 }
 
 //------------------------------------------------------------------------------
 int vtkNPRLineDefinition::GetNumberOfLineNames()
 {
-  return NumberOfMakers;
+  return NumberOfMakers + static_cast<int>(GetAddedKinds().size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkNPRLineDefinition::GetLineName(int index)
 {
-  if (index < 0 || index >= NumberOfMakers)
+  if (index < 0 || index >= GetNumberOfLineNames())
   {
     return nullptr;
+  }
+  if (index >= NumberOfMakers)
+  {
+    return GetAddedKinds()[index - NumberOfMakers]->GetName();
   }
   // The name is a literal, so it outlives the object.
   return vtk::TakeSmartPointer(Makers[index]())->GetName();
@@ -71,16 +99,59 @@ const char* vtkNPRLineDefinition::GetLineName(int index)
 //------------------------------------------------------------------------------
 vtkNPRLineDefinition* vtkNPRLineDefinition::NewFromName(const char* name)
 {
-  for (const Maker& maker : Makers)
+  if (!name)
   {
-    vtkNPRLineDefinition* definition = maker();
-    if (name && std::string(name) == definition->GetName())
+    return nullptr;
+  }
+  for (const auto& kind : GetAddedKinds())
+  {
+    if (std::string(name) == kind->GetName())
     {
+      vtkNPRLineDefinition* definition = kind->NewInstance();
+      definition->CopyParameters(kind);
       return definition;
     }
-    definition->Delete();
   }
-  return nullptr;
+  return NewBuiltIn(name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRLineDefinition::AddKind(vtkNPRLineDefinition* definition)
+{
+  const std::string name = definition ? definition->GetName() : "";
+  if (name.empty() || vtk::TakeSmartPointer(NewBuiltIn(name)))
+  {
+    return false;
+  }
+  RemoveKind(name.c_str());
+  GetAddedKinds().emplace_back(definition);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::RemoveKind(const char* name)
+{
+  auto& kinds = GetAddedKinds();
+  kinds.erase(
+    std::remove_if(kinds.begin(), kinds.end(),
+      [&](const auto& definition) { return name && std::string(name) == definition->GetName(); }),
+    kinds.end());
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRLineDefinition::CopyParameters(vtkNPRLineDefinition* other)
+{
+  for (const Parameter& parameter : other->Parameters)
+  {
+    if (parameter.Text)
+    {
+      this->SetTextParameter(parameter.Name, *parameter.Text);
+    }
+    else
+    {
+      this->SetParameter(parameter.Name, parameter.GetNumbers());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

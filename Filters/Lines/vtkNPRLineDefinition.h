@@ -12,7 +12,8 @@
  *
  * vtkNPRFeatureLines evaluates definitions over whole spans of points or edges, so a virtual call
  * never falls on a single point. To add a kind of line, derive from this class and name the new
- * class in the list at the top of vtkNPRLineDefinition.cxx; nothing else knows the kinds.
+ * class in the list at the top of vtkNPRLineDefinition.cxx; nothing else knows the kinds. A program
+ * adds kinds of its own at run time by AddKind().
  *
  * A field may be drawn at several levels at once: the line is where it has one of them.
  *
@@ -24,6 +25,7 @@
 #ifndef vtkNPRLineDefinition_h
 #define vtkNPRLineDefinition_h
 
+#include "nprVTKCompat.h"
 #include "vtkNPRFiltersLinesModule.h"
 #include <vtkObject.h>
 
@@ -34,6 +36,10 @@
 #include <array>
 #include <string>
 #include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 class VTKNPRFILTERSLINES_EXPORT vtkNPRLineDefinition : public vtkObject
 {
@@ -48,6 +54,16 @@ public:
   static const char* GetLineName(int index);
   /// A new definition of the named kind, which the caller owns; null when there is none.
   static VTK_NEWINSTANCE vtkNPRLineDefinition* NewFromName(const char* name);
+  ///@}
+
+  /// @name Kinds of lines made at run time
+  /// From the registration on, in this process, filters, styles and messages know the kind by the
+  /// name that the definition says: NewFromName() makes copies of it (see CopyParameters()).
+  /// Another registration of the name takes its place. Not for several threads at a time.
+  ///@{
+  /// False, and nothing is added, where the name is empty or that of a built-in kind.
+  static bool AddKind(vtkNPRLineDefinition* definition);
+  static void RemoveKind(const char* name);
   ///@}
 
   /// The name of this kind of line, in lower case; it stands in LineTypeNames of the output.
@@ -84,6 +100,10 @@ public:
   std::vector<double> GetParameterValues(const char* name) const;
   /// Empty when there is no such text.
   std::string GetTextParameter(const char* name) const;
+  /// Takes over the parameters of another definition of the same class.
+  virtual void CopyParameters(vtkNPRLineDefinition* other);
+  /// What is wrong with the parameters, beyond the range of each; empty when nothing is.
+  virtual std::string FindProblem() const { return std::string(); }
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -124,6 +144,17 @@ public:
   {
     return {};
   }
+
+  /// @name Calls before and after the work
+  /// On the thread that updates the filter.
+  ///@{
+  /// Before anything is asked about the required arrays.
+  virtual void BindInput(vtkPolyData*) {}
+  /// Before the first evaluation in a view, and after the last; views do not matter to a definition
+  /// that depends on none.
+  virtual void BeginView(const npr::LineSurface&, const npr::LineView&) {}
+  virtual void EndView(const npr::LineSurface&) {}
+  ///@}
 
   /// @name Field part
   /// The functions must be safe to call from several threads at a time.

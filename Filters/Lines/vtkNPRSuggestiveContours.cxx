@@ -3,34 +3,17 @@
 #include "vtkNPRSuggestiveContours.h"
 
 #include "nprArrayNames.h"
+#include "nprViewQuantities.h"
 
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Core>
-
 vtkStandardNewMacro(vtkNPRSuggestiveContours);
-
-namespace
-{
-// The components of a vector array.
-struct Vectors
-{
-  const float* X;
-  const float* Y;
-  const float* Z;
-  Vectors(const npr::LineSurface& surface, const char* name)
-    : X(surface.GetComponent(name, 0)), Y(surface.GetComponent(name, 1)),
-      Z(surface.GetComponent(name, 2))
-  {
-  }
-  Eigen::Vector3f operator[](vtkIdType i) const { return { this->X[i], this->Y[i], this->Z[i] }; }
-};
-}
 
 //------------------------------------------------------------------------------
 vtkNPRSuggestiveContours::vtkNPRSuggestiveContours()
@@ -63,35 +46,7 @@ std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRSuggestiveContours::GetRe
 void vtkNPRSuggestiveContours::EvaluateField(const npr::LineSurface& surface,
   const npr::LineView& view, vtkIdType begin, vtkIdType end, float* field) const
 {
-  const float* px = surface.GetCoordinate(0);
-  const float* py = surface.GetCoordinate(1);
-  const float* pz = surface.GetCoordinate(2);
-  const Vectors n(surface, npr::names::Normals);
-  const float* xx = surface.GetComponent(npr::names::CurvatureTensor, 0);
-  const float* yy = surface.GetComponent(npr::names::CurvatureTensor, 1);
-  const float* zz = surface.GetComponent(npr::names::CurvatureTensor, 2);
-  const float* xy = surface.GetComponent(npr::names::CurvatureTensor, 3);
-  const float* yz = surface.GetComponent(npr::names::CurvatureTensor, 4);
-  const float* xz = surface.GetComponent(npr::names::CurvatureTensor, 5);
-  const float s = view.Perspective;
-  for (vtkIdType i = begin; i < end; ++i)
-  {
-    float x = view.Eye[0] - s * px[i];
-    float y = view.Eye[1] - s * py[i];
-    float z = view.Eye[2] - s * pz[i];
-    // At the eye itself the direction is 0, and so is the field.
-    const float square = x * x + y * y + z * z;
-    const float scale = 1.0f / std::sqrt(square + std::numeric_limits<float>::min());
-    x *= scale;
-    y *= scale;
-    z *= scale;
-    const float cosine = n.X[i] * x + n.Y[i] * y + n.Z[i] * z;
-    x -= cosine * n.X[i];
-    y -= cosine * n.Y[i];
-    z -= cosine * n.Z[i];
-    field[i] = x * (xx[i] * x + 2.0f * xy[i] * y) + y * (yy[i] * y + 2.0f * yz[i] * z) +
-      z * (zz[i] * z + 2.0f * xz[i] * x);
-  }
+  npr::EvaluateRadialCurvature(surface, view, begin, end, field + begin);
 }
 
 //------------------------------------------------------------------------------
@@ -113,43 +68,25 @@ void vtkNPRSuggestiveContours::BoundField(
 void vtkNPRSuggestiveContours::EvaluateTest(const npr::LineSurface& surface,
   const npr::LineView& view, const Index* points, vtkIdType count, const float*, float* test) const
 {
-  const Vectors normals(surface, npr::names::Normals);
-  const Vectors directions1(surface, npr::names::PrincipalDirection1);
-  const Vectors directions2(surface, npr::names::PrincipalDirection2);
-  const float* k1 = surface.GetComponent(npr::names::PrincipalCurvature1, 0);
-  const float* k2 = surface.GetComponent(npr::names::PrincipalCurvature2, 0);
-  const float* p = surface.GetComponent(npr::names::CurvatureDerivatives, 0);
-  const float* q = surface.GetComponent(npr::names::CurvatureDerivatives, 1);
-  const float* s = surface.GetComponent(npr::names::CurvatureDerivatives, 2);
-  const float* t = surface.GetComponent(npr::names::CurvatureDerivatives, 3);
-  const double square = surface.GetLengthScale() * surface.GetLengthScale();
+  const double side = this->GetSide();
   const double least = std::sin(vtkMath::RadiansFromDegrees(this->MinimumAngle));
-  const Eigen::Vector3f eye(view.Eye[0], view.Eye[1], view.Eye[2]);
-
-  for (vtkIdType j = 0; j < count; ++j)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr vtkIdType Size = 256;
+  std::array<double, Size> cosine;
+  std::array<double, Size> sine;
+  std::array<double, Size> derivative;
+  for (vtkIdType first = 0; first < count; first += Size)
   {
-    const Index i = points[j];
-    const Eigen::Vector3f point(
-      surface.GetCoordinate(0)[i], surface.GetCoordinate(1)[i], surface.GetCoordinate(2)[i]);
-    const Eigen::Vector3f v = (eye - view.Perspective * point).normalized();
-    const Eigen::Vector3f n = normals[i];
-    const double cosine = n.dot(v);
-    const Eigen::Vector3f w = v - static_cast<float>(cosine) * n;
-    const double sine = w.norm();
-    const double headOn = least > 0.0 ? (sine - least) / least : 1.0;
-    const double facing = std::min(headOn, cosine / this->ContourFade);
-    if (facing <= 0.0)
+    const vtkIdType size = std::min(Size, count - first);
+    npr::EvaluateRadialDerivative(surface, view, npr::PointSpan::List(points + first, size),
+      cosine.data(), sine.data(), derivative.data());
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      test[j] = static_cast<float>(facing);
-      continue;
+      // As the expression in the comment on the class. In this order a NaN stays.
+      const double headOn = least > 0.0 ? (sine[i] - least) / least : infinity;
+      const double facing = std::min(headOn, cosine[i] / this->ContourFade);
+      const double rise = (side * derivative[i] - this->Threshold) * sine[i] / this->Fade;
+      test[first + i] = static_cast<float>(facing <= 0.0 || facing < rise ? facing : rise);
     }
-    const Eigen::Vector3f unit = w.normalized(); // 0 where there is no direction
-    const double a = unit.dot(directions1[i]);
-    const double b = unit.dot(directions2[i]);
-    const double cubic = a * a * (a * p[i] + 3.0 * b * q[i]) + b * b * (3.0 * a * s[i] + b * t[i]);
-    const double derivative = sine * cubic + 2.0 * double(k1[i]) * k2[i] * cosine;
-    const double rise = (square * derivative - this->Threshold * sine) / this->Fade;
-    // In this order a NaN stays.
-    test[j] = static_cast<float>(facing < rise ? facing : rise);
   }
 }

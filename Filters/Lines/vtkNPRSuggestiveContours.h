@@ -4,15 +4,28 @@
  * @class vtkNPRSuggestiveContours
  * @brief Where a contour is about to appear: lines that would be contours in a nearby view.
  *
- * The zero set of the radial curvature (the normal curvature in the direction of the eye), where
- * its derivative D towards the eye exceeds a threshold and the surface faces the eye. The field is
- * multiplied by sin^2 and D by sin of the angle between normal and eye, so nothing is divided by a
- * length that vanishes where the surface is seen head-on:
+ * The zero set of the radial curvature kr (the normal curvature in the direction of the eye), where
+ * its derivative towards the eye, dwkr, exceeds a threshold and the surface faces the eye:
  *
- *   sin D = sin C(w,w,w) + 2 K cos, with w the unit direction of the eye in the tangent plane.
+ *   kr = II(w,w) / |w|^2,  dwkr = C(w,w,w) / |w|^3 + 2 K cot(theta),
  *
- * Lines fade in from the threshold, and out where the surface is seen head-on, where they are
- * unstable.
+ * with w the part of the direction to the eye in the tangent plane. The difference between dwkr and
+ * the threshold is multiplied by the sine of the angle theta between normal and eye, so nothing is
+ * divided by a length that vanishes where the surface is seen head-on. Lines fade in from the
+ * threshold, and out where the surface is seen head-on, where they are unstable.
+ *
+ * @par As an expression
+ * vtkNPRExpressionLines with the field, the test and the constant
+ * @code
+ *   kr
+ *   if(ndotv > 0 and sintheta > a,
+ *     min((dwkr - 2) * sintheta / 2, (sintheta - a) / a, ndotv / 0.02),
+ *     min((sintheta - a) / a, ndotv / 0.02))
+ *   a = 0.25881904510252074
+ * @endcode
+ * gives these lines to the last bit: there stand Threshold, Fade, ContourFade and, as a, the sine
+ * of MinimumAngle. (Where the surface is seen head-on or from behind, dwkr means nothing.) Without
+ * a MinimumAngle the terms with a are missing.
  *
  * Sources: DeCarlo, Finkelstein, Rusinkiewicz, Santella, "Suggestive contours for conveying shape",
  * SIGGRAPH 2003; DeCarlo, Finkelstein, Rusinkiewicz, "Interactive rendering of suggestive contours
@@ -21,7 +34,7 @@
  * @par Scaled props
  * Curvature is that of the model itself, also where a prop scales it unevenly.
  *
- * @sa vtkNPRFeatureLines vtkNPROccludingContours
+ * @sa vtkNPRFeatureLines vtkNPROccludingContours vtkNPRSuggestiveHighlights vtkNPRExpressionLines
  */
 #ifndef vtkNPRSuggestiveContours_h
 #define vtkNPRSuggestiveContours_h
@@ -42,8 +55,8 @@ public:
   bool IsViewDependent() const override { return true; }
 
   ///@{
-  /// The least derivative of the radial curvature, times the square of the length scale (no unit).
-  /// Range [0, 1e6]. Default is 2.
+  /// The least derivative of the radial curvature towards the eye, times the square of the length
+  /// scale (no unit). Range [0, 1e6]. Default is 2.
   vtkSetClampMacro(Threshold, double, 0.0, 1.0e6);
   vtkGetMacro(Threshold, double);
   ///@}
@@ -95,6 +108,12 @@ public:
 protected:
   vtkNPRSuggestiveContours();
   ~vtkNPRSuggestiveContours() override = default;
+
+  /// 1 where kr is to rise towards the eye, -1 where it is to fall.
+  virtual double GetSide() const
+  {
+    return 1.0;
+  }
 
 private:
   double Threshold = 2.0;

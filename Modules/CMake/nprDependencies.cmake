@@ -8,7 +8,7 @@ set(NPR_VTK_COMPONENTS
   IOGeometry IOImage IOLegacy IOPLY IOXML
   ImagingCore ImagingGeneral
   RenderingCore RenderingOpenGL2 RenderingUI
-  vtksys zlib)
+  exprtk vtksys zlib)
 
 # What only the build needs.
 set(build_components RenderingFreeType)

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Suggestive contours of a torus against roots of the radial curvature, found from the closed form
-// of the torus without any of the arrays that the lines are made from.
+// Suggestive contours and highlights of a torus against roots of the radial curvature, found from
+// the closed form of the torus without any of the arrays that the lines are made from.
 #include "nprLineTesting.h"
 
 #include "vtkNPRSuggestiveContours.h"
+#include "vtkNPRSuggestiveHighlights.h"
 
 using namespace nprtest;
 
@@ -69,12 +70,13 @@ std::vector<double> FindRoots(const Truth& truth, double u)
   return roots;
 }
 
-void TestTorus(const Vector& eye, bool parallel, Checks& check)
+// `side` is 1 where the radial curvature is to rise towards the eye, -1 where it is to fall.
+void TestTorus(vtkNPRSuggestiveContours* suggestive, double side, const Vector& eye, bool parallel,
+  Checks& check)
 {
   Truth truth;
   truth.Eye = eye;
   truth.Parallel = parallel;
-  vtkNew<vtkNPRSuggestiveContours> suggestive;
   const double lengthScale = 1.0;
   const double threshold = 0.3;
   suggestive->SetThreshold(threshold);
@@ -110,7 +112,7 @@ void TestTorus(const Vector& eye, bool parallel, Checks& check)
         const double slack = 20.0 * h * h;
         check(cosine > -slack && sine > std::sin(10.0 * Pi / 180.0) - slack,
           "the surface faces the eye", cosine);
-        check(truth.Derivative(u, v) > threshold - 200.0 * slack,
+        check(side * truth.Derivative(u, v) > threshold - 200.0 * slack,
           "the derivative is above the threshold", truth.Derivative(u, v));
         // An open chain ends where the test does, and fades out to there.
         if (!chain.Closed && (i == 0 || i + 1 == chain.Points.size()))
@@ -139,7 +141,7 @@ void TestTorus(const Vector& eye, bool parallel, Checks& check)
       {
         const double cosine = truth.Cosine(u, v);
         if (cosine > 0.05 && std::sqrt(1.0 - cosine * cosine) > 0.25 &&
-          truth.Derivative(u, v) > threshold + 0.1)
+          side * truth.Derivative(u, v) > threshold + 0.1)
         {
           ++found;
           const double distance = GetDistance(chains, truth.Shape.Point(u, v));
@@ -155,7 +157,11 @@ void TestTorus(const Vector& eye, bool parallel, Checks& check)
 int TestSuggestiveContours(int, char*[])
 {
   Checks check;
-  TestTorus({ 3.0, 1.0, 3.0 }, false, check);
-  TestTorus({ 4.0, 1.0, 2.5 }, true, check);
+  vtkNew<vtkNPRSuggestiveContours> contours;
+  TestTorus(contours, 1.0, { 3.0, 1.0, 3.0 }, false, check);
+  TestTorus(contours, 1.0, { 4.0, 1.0, 2.5 }, true, check);
+  vtkNew<vtkNPRSuggestiveHighlights> highlights;
+  TestTorus(highlights, -1.0, { 3.0, 1.0, 3.0 }, false, check);
+  TestTorus(highlights, -1.0, { 4.0, 1.0, 2.5 }, true, check);
   return check.GetResult();
 }
