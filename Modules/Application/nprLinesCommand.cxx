@@ -160,7 +160,9 @@ void AddLinesCommand(CLI::App& program, Reporter& reporter)
   command->add_flag("--list", options->List, "List the kinds of lines");
   options->View.AddTo(*command);
   command->footer(
-    "Example: npr lines scan.ply -o lines.vtp --lines contours,suggestive --view front");
+    "Examples:\n"
+    "  npr lines scan.ply -o lines.vtp --lines contours,suggestive --view front\n"
+    "  npr lines scan.ply -o lines.vtp --lines contours --define flat \"K\" \"H > 0.5\"");
   command->callback(
     [options, &reporter]()
     {

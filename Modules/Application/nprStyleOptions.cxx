@@ -4,9 +4,14 @@
 
 #include "nprReporter.h"
 #include "nprViewOptions.h"
+#include "vtkNPRExpressionLines.h"
 #include "vtkNPRIllustrationStyle.h"
 
+#include <vtkNew.h>
+
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 
 namespace npr
 {
@@ -32,6 +37,51 @@ void StyleOptions::AddSettingsTo(CLI::App& command)
       "Set KIND.PARAMETER=VALUE of the lines: a text, or numbers parted by commas; such as "
       "isophotes.levels=5 topographic.direction=0,1,0 (may be given several times)")
     ->allow_extra_args(false);
+  command
+    .add_option("--define", this->Definitions,
+      "Lines of your own: NAME FIELD TEST. They run where FIELD is 0 and TEST holds (\"\" for "
+      "everywhere); such as --define mine kr \"dwkr > 2 and ndotv > 0\" (may be given several "
+      "times)")
+    ->type_name("NAME FIELD TEST");
+  command
+    .add_option("--constant", this->Constants,
+      "NAME=VALUE: a number for the formulas of --define (may be given several times)")
+    ->allow_extra_args(false);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> StyleOptions::Define() const
+{
+  std::string constants;
+  for (const std::string& constant : this->Constants)
+  {
+    constants += (constants.empty() ? "" : ", ") + constant;
+  }
+  if (this->Definitions.empty() && !constants.empty())
+  {
+    throw CommandError(UsageError, "--constant is for --define, which is missing");
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, field, test] : this->Definitions)
+  {
+    vtkNew<vtkNPRExpressionLines> lines;
+    lines->SetName(name);
+    lines->SetField(field);
+    lines->SetTest(test);
+    lines->SetConstants(constants);
+    const std::string problem = lines->FindProblem();
+    if (!problem.empty())
+    {
+      throw CommandError(UsageError, "--define " + name + ": " + problem);
+    }
+    if (!vtkNPRLineDefinition::AddKind(lines))
+    {
+      throw CommandError(
+        UsageError, "--define " + name + ": this is the name of a built-in kind of line");
+    }
+    names.push_back(name);
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------
@@ -46,11 +96,27 @@ void StyleOptions::ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) c
     }
   };
   check(style->Load(this->Style), InputError);
-  if (!this->Lines.empty())
+  const std::vector<std::string> defined = this->Define();
+  if (this->Lines.empty())
   {
-    const bool none = this->Lines == "none";
-    check(
-      style->SelectLines(none ? std::vector<std::string>() : SplitList(this->Lines)), UsageError);
+    check(style->AddLines(defined), UsageError);
+  }
+  else
+  {
+    std::vector<std::string> lines;
+    if (this->Lines != "none")
+    {
+      lines = SplitList(this->Lines);
+      // What is defined is wanted, also where --lines does not say so.
+      for (const std::string& name : defined)
+      {
+        if (std::find(lines.begin(), lines.end(), name) == lines.end())
+        {
+          lines.push_back(name);
+        }
+      }
+    }
+    check(style->SelectLines(lines), UsageError);
   }
   for (const std::string& setting : this->Settings)
   {

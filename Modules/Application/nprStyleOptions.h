@@ -8,6 +8,7 @@
 #define nprStyleOptions_h
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace CLI
@@ -25,14 +26,21 @@ struct StyleOptions
   std::string Style = "technical";
   std::string Lines;
   std::vector<std::string> Settings; ///< KIND.PARAMETER=VALUE
+  /// Lines that users define: name, field and test.
+  std::vector<std::tuple<std::string, std::string, std::string>> Definitions;
+  std::vector<std::string> Constants; ///< NAME=VALUE, in the formulas of the definitions.
   std::string Background;
 
   void AddTo(CLI::App& command);
-  /// Only the option for Settings.
+  /// Only the options for Settings, Definitions and Constants.
   void AddSettingsTo(CLI::App& command);
   /// Throws a CommandError when the style or what is changed in it is not valid.
   void ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) const;
   bool IsTransparent() const { return this->Background == "transparent"; }
+
+private:
+  /// Makes the definitions known by their names, and returns these.
+  std::vector<std::string> Define() const;
 };
 }
 

@@ -294,10 +294,18 @@ LineStyle ReadLine(Section section)
   }
   section.Read("smoothing", line.Smoothing, 0, 1000);
   section.Read("taper", line.Taper);
-  section.Read("fade", line.Fade);
+  const Json* fade = section.Find("fade");
+  if (!fade || !fade->is_number())
+  {
+    section.Read("fade", line.Fade);
+  }
   section.Read("minimum_length", line.MinimumLength, 0.0, 1000.0);
   section.Read("optional", line.Optional);
   line.DefinitionParameters = section.ReadOthers();
+  if (fade && fade->is_number())
+  {
+    line.DefinitionParameters["fade"] = std::vector<double>{ fade->get<double>() };
+  }
   return line;
 }
 }
@@ -314,6 +322,15 @@ Color ParseColor(const std::string& text)
   }
   const vtkColor3ub color = isCode ? colors->HTMLColorToRGB(text) : colors->GetColor3ub(text);
   return { color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 };
+}
+
+//------------------------------------------------------------------------------
+bool IsCalled(const LineStyle& line, const std::string& name)
+{
+  const auto found = line.DefinitionParameters.find("name");
+  const auto* text =
+    found == line.DefinitionParameters.end() ? nullptr : std::get_if<std::string>(&found->second);
+  return line.Type == name || (text && *text == name);
 }
 
 //------------------------------------------------------------------------------

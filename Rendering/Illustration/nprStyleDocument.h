@@ -41,7 +41,8 @@ struct LineStyle
   std::string Spline = "catmull-rom"; ///< catmull-rom, b-spline or none.
   int Smoothing = 0;          ///< How often the chain is smoothed before the spline; 0..1000.
   bool Taper = false;         ///< Weak parts of a line are thinner.
-  bool Fade = false;          ///< Weak parts of a line are more transparent.
+  bool Fade = false;          ///< Weak parts of a line are more transparent. A number under this
+                              ///< key is a parameter of the definition instead.
   double MinimumLength = 0.0; ///< Thousandths of the shorter side; shorter chains are dropped.
   bool Optional = false;      ///< Only drawn where this kind of line is asked for by its name.
   Parameters DefinitionParameters;
@@ -87,6 +88,9 @@ struct StyleDocument
   GeometryStyle Geometry;
   std::vector<LineStyle> Lines;
 };
+
+/// Whether a line is of the kind, or has the name as a parameter.
+bool IsCalled(const LineStyle& line, const std::string& name);
 
 /// @throws StyleError that names the key (as a JSON pointer) or the place of a syntax error.
 StyleDocument ParseStyle(const std::string& json);

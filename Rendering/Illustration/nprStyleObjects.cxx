@@ -176,6 +176,15 @@ vtkSmartPointer<vtkNPRLineDefinition> MakeLineDefinition(
 }
 
 //------------------------------------------------------------------------------
+bool NeedsCurvature(const LineStyle& line, const std::string& path)
+{
+  const auto arrays = MakeLineDefinition(line, path)->GetRequiredArrays();
+  return std::any_of(arrays.begin(), arrays.end(),
+    [](const vtkNPRLineDefinition::RequiredArray& array)
+    { return array.Maker && array.Maker == std::string("vtkNPRCurvatureTensor"); });
+}
+
+//------------------------------------------------------------------------------
 ParameterValue ParseLineParameter(
   const LineStyle& line, const std::string& name, const std::string& text)
 {
@@ -224,7 +233,12 @@ void CheckStyleNames(const StyleDocument& document)
   }
   for (std::size_t i = 0; i < document.Lines.size(); ++i)
   {
-    MakeLineDefinition(document.Lines[i], "/lines/" + std::to_string(i));
+    const std::string path = "/lines/" + std::to_string(i);
+    const std::string problem = MakeLineDefinition(document.Lines[i], path)->FindProblem();
+    if (!problem.empty())
+    {
+      throw StyleError(path + ": " + problem);
+    }
   }
 }
 }

@@ -28,6 +28,9 @@ vtkSmartPointer<vtkNPRShadingStyle> MakeShadingStyle(const ShadingStyle& shading
 vtkSmartPointer<vtkNPRLineDefinition> MakeLineDefinition(
   const LineStyle& line, const std::string& path);
 
+/// Whether lines are made from curvature. @throws StyleError, as MakeLineDefinition().
+bool NeedsCurvature(const LineStyle& line, const std::string& path);
+
 /// What a word stands for as a parameter of a line: a text, or numbers parted by commas.
 ParameterValue ParseLineParameter(
   const LineStyle& line, const std::string& name, const std::string& text);

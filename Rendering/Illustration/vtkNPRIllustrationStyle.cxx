@@ -118,30 +118,44 @@ bool vtkNPRIllustrationStyle::Load(const std::string& nameOrFile)
 }
 
 //------------------------------------------------------------------------------
-bool vtkNPRIllustrationStyle::SelectLines(const std::vector<std::string>& types)
+// How lines of a kind are drawn. @throws StyleError when there is no such kind.
+npr::LineStyle vtkNPRIllustrationStyle::MakeLine(const std::string& type) const
 {
   const std::vector<npr::LineStyle>& all = this->Document->Lines;
+  const auto found = std::find_if(
+    all.begin(), all.end(), [&](const npr::LineStyle& line) { return npr::IsCalled(line, type); });
+  npr::LineStyle line;
+  if (found != all.end())
+  {
+    line = *found;
+  }
+  else
+  {
+    line.Type = type;
+    const bool isCurved = npr::NeedsCurvature(line, "lines");
+    const auto alike = std::find_if(all.begin(), all.end(),
+      [&](const npr::LineStyle& other) { return npr::NeedsCurvature(other, "lines") == isCurved; });
+    if (!all.empty())
+    {
+      line = alike == all.end() ? all.front() : *alike;
+      line.DefinitionParameters.clear();
+      line.Type = type;
+    }
+  }
+  line.Optional = false;
+  npr::MakeLineDefinition(line, "lines");
+  return line;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::SelectLines(const std::vector<std::string>& types)
+{
   std::vector<npr::LineStyle> selected;
   try
   {
     for (const std::string& type : types)
     {
-      const auto found = std::find_if(
-        all.begin(), all.end(), [&](const npr::LineStyle& line) { return line.Type == type; });
-      npr::LineStyle line;
-      if (found != all.end())
-      {
-        line = *found;
-      }
-      else if (!all.empty())
-      {
-        line = all.front();
-        line.DefinitionParameters.clear();
-      }
-      line.Type = type;
-      line.Optional = false;
-      npr::MakeLineDefinition(line, "lines");
-      selected.push_back(line);
+      selected.push_back(this->MakeLine(type));
     }
   }
   catch (const npr::StyleError& error)
@@ -149,6 +163,32 @@ bool vtkNPRIllustrationStyle::SelectLines(const std::vector<std::string>& types)
     return this->Fail(error.what());
   }
   this->Document->Lines = std::move(selected);
+  this->ErrorMessage.clear();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::AddLines(const std::vector<std::string>& types)
+{
+  std::vector<npr::LineStyle> lines = this->Document->Lines;
+  try
+  {
+    for (const std::string& type : types)
+    {
+      const bool isDrawn = std::any_of(lines.begin(), lines.end(),
+        [&](const npr::LineStyle& line) { return !line.Optional && npr::IsCalled(line, type); });
+      if (!isDrawn)
+      {
+        lines.push_back(this->MakeLine(type));
+      }
+    }
+  }
+  catch (const npr::StyleError& error)
+  {
+    return this->Fail(error.what());
+  }
+  this->Document->Lines = std::move(lines);
   this->ErrorMessage.clear();
   this->Modified();
   return true;
@@ -168,7 +208,7 @@ bool vtkNPRIllustrationStyle::SetLineParameter(
       if (!line.Optional)
       {
         drawn += (drawn.empty() ? "" : ", ") + line.Type;
-        if (line.Type == type)
+        if (npr::IsCalled(line, type))
         {
           found = true;
           line.DefinitionParameters[parameter] = npr::ParseLineParameter(line, parameter, value);

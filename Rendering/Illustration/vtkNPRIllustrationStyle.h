@@ -28,6 +28,7 @@
 #ifndef __VTK_WRAP__
 namespace npr
 {
+struct LineStyle;
 struct StyleDocument;
 }
 #endif
@@ -58,8 +59,13 @@ public:
   bool Load(const std::string& nameOrFile);
 
   /// Draw only these kinds of lines. Kinds that the style has keep their look; others get the look
-  /// of the style's first line, or plain black. An empty list means no lines.
+  /// of the style's first line that is made from curvature (smoothed, mostly) or not, as they are,
+  /// else of its first, or plain black. An empty list means no lines.
+  /// A line that the style gives a name of its own goes by that, too.
   bool SelectLines(const std::vector<std::string>& types);
+
+  /// Draw these kinds of lines, too, where they are not drawn yet. They look as by SelectLines().
+  bool AddLines(const std::vector<std::string>& types);
 
   /// Set a parameter of the kind of lines that are drawn: a text, or numbers parted by commas.
   bool SetLineParameter(
@@ -85,6 +91,7 @@ private:
   friend class vtkNPRIllustration; // which makes what the document says
   bool Fail(const std::string& message);
   bool LoadDocument(const std::string& json, const std::string& origin);
+  npr::LineStyle MakeLine(const std::string& type) const;
 
   std::unique_ptr<npr::StyleDocument> Document;
   std::string ErrorMessage;

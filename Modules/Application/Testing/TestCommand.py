@@ -211,6 +211,58 @@ class TestCommand(CommandTest):
         self.assertEqual(kinds["boundaries"][1], "-")
         self.assertEqual(kinds["region-borders"][1], 'array "RegionId"')
 
+    def test_define(self):
+        path = self.path("lines.vtp")
+        self.run_well(
+            "lines", self.model, "-o", path, "--lines", "cut,creases",
+            "--define", "cut", "-px + part", "py > 0.1 and pz > 0.1", "--define", "heap", "pz - half", "",
+            "--constant", "part=0.2", "--constant", "half=0.5",
+        )  # fmt: skip
+        with open(path, "rb") as file:
+            content = file.read()
+        self.assertIn(b"LineTypeNames", content)
+        if vtkXMLPolyDataReader:
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(path)
+            reader.Update()
+            lines = reader.GetOutput()
+            names = lines.GetFieldData().GetAbstractArray("LineTypeNames")
+            self.assertEqual([names.GetValue(i) for i in range(3)], ["cut", "creases", "heap"])
+            types = lines.GetCellData().GetArray("LineType")
+            for i in range(lines.GetNumberOfCells()):
+                (x0, x1, y0, _, z0, z1) = lines.GetCell(i).GetBounds()
+                if types.GetValue(i) == 0:
+                    self.assertAlmostEqual(x0, 0.2, 5)
+                    self.assertAlmostEqual(x1, 0.2, 5)
+                    self.assertGreater(min(y0, z0), 0.1 - 1e-5)
+                elif types.GetValue(i) == 2:
+                    self.assertAlmostEqual(z0, 0.5, 5)
+                    self.assertAlmostEqual(z1, 0.5, 5)
+        self.run_well("render", self.model, "-o", self.image, "--style", "ink", "--size", "64x64")
+        before = read_png(self.image)[3]
+        self.run_well("render", self.model, "-o", self.image, "--style", "ink", "--size", "64x64", "--define", "cut", "pz - 0.4", "")
+        self.assertNotEqual(before, read_png(self.image)[3], "what is defined is drawn")
+
+    def test_define_wrongly(self):
+        path = self.path("lines.vtp")
+        for code, words, *said in (
+            (1, ["--define", "a", "kr +", ""], "--define a", '"kr +"', "column 5"),
+            (1, ["--define", "a", "kr", "K > ("], "test", "column 5"),
+            (1, ["--define", "a b", "kr", ""], "name"),
+            (1, ["--define", "contours", "kr", ""], "built-in"),
+            (1, ["--define", "a", "", ""], "no field"),
+            (1, ["--define", "a", "kr"], "FIELD"),
+            (1, ["--define", "a", "kr", "", "--constant", "K=2"], "K=2"),
+            (1, ["--constant", "b=2"], "--define"),
+            (2, ["--define", "a", "kr + krr", ""], "'krr'", "column 6", "dwkr"),
+        ):
+            with self.subTest(words=words):
+                result = run("lines", self.model, "-o", path, *words)
+                self.assertEqual(result.returncode, code, result.stderr)
+                for text in said:
+                    self.assertIn(text, result.stderr)
+                self.assertFalse(os.path.exists(path))
+
     def check_creases(self, segments, *offsets):
         """The six edges of a tetrahedron at each offset, each covered once."""
         corners = [(o + x, y, z) for o in offsets for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]

@@ -3,14 +3,17 @@
 // Style documents: the built-in ones load; what is wrong in one is refused, named, and changes
 // nothing.
 #include "nprTestScene.h"
+#include "vtkNPRExpressionLines.h"
 #include "vtkNPRIllustrationStyle.h"
 
 #include <vtkCell.h>
 #include <vtkCommand.h>
 #include <vtkElevationFilter.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
+#include <vtkStringArray.h>
 #include <vtkTestErrorObserver.h>
 
 #include <cstdlib>
@@ -93,6 +96,50 @@ void CheckLineParameters()
   refuses("isolines", "levels", "0", "isolines/levels is out of range");
   Check(extract() == 3, "what was refused changed nothing");
 }
+
+// Lines from formulas, in a style and beside it.
+void CheckDefinedLines()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  npr::TestScene scene(sphere->GetOutputPort());
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scene.Style->AddObserver(vtkCommand::ErrorEvent, observer);
+  const auto names = [&]() -> std::string
+  {
+    scene.Illustration->Apply();
+    vtkNew<vtkPolyData> lines;
+    scene.Illustration->GetLines(lines);
+    auto array =
+      vtkStringArray::SafeDownCast(lines->GetFieldData()->GetAbstractArray("LineTypeNames"));
+    std::string all;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+    {
+      all += array->GetValue(i) + " ";
+    }
+    return lines->GetNumberOfLines() > 0 ? all : "no lines";
+  };
+  Check(scene.Style->LoadString(R"json({"lines": [{"type": "contours"}, {"type": "expression",
+    "name": "waves", "field": "sin(w * py)", "test": "ndotv > 0 and abs(nx) < 0.9", "fade": 0.25,
+    "levels": [-0.5, 0.5], "constants": "w = 40", "optional": true}]})json"),
+    "lines from a formula in a style");
+  Check(names() == "contours ", "optional as others are, not " + names());
+  Check(scene.Style->SelectLines({ "waves", "contours" }), "selected by their name");
+  Check(names() == "waves contours ", "in the order asked for, not " + names());
+
+  vtkNew<vtkNPRExpressionLines> slices;
+  slices->SetName("slices");
+  slices->SetField("px");
+  Check(!scene.Style->AddLines({ "slices" }), "not known yet");
+  Check(vtkNPRLineDefinition::AddKind(slices), "now it is");
+  Check(scene.Style->AddLines({ "slices", "waves" }), "added");
+  Check(names() == "waves contours slices ", "once each, not " + names());
+  Check(scene.Style->LoadString(R"({"lines": [{"type": "slices", "levels": [0.1]}]})"),
+    "an added kind in a style");
+  Check(names() == "slices ", "drawn, not " + names());
+  vtkNPRLineDefinition::RemoveKind("slices");
+}
 }
 
 int TestIllustrationStyle(int, char*[])
@@ -119,6 +166,7 @@ int TestIllustrationStyle(int, char*[])
     {"type": "topographic", "direction": [0, 1, 0], "levels": 7}]})"),
     "texts, lists and vectors as parameters of lines");
   CheckLineParameters();
+  CheckDefinedLines();
 
   CheckRefused("", "line 1, column 1");
   CheckRefused("{\n\"name\": 1,\n]", "line 3, column 1");
@@ -151,6 +199,12 @@ int TestIllustrationStyle(int, char*[])
   CheckRefused(R"({"lines": [{"type": "contours", "width": 0}]})", "/lines/0/width");
   CheckRefused(R"({"lines": [{"type": "contours", "spline": "bezier"}]})", "/lines/0/spline");
   CheckRefused(R"({"lines": [{"type": "contours", "taper": 1}]})", "/lines/0/taper");
+  CheckRefused(R"({"lines": [{"type": "contours", "fade": 1}]})", "/lines/0/fade");
+  CheckRefused(R"({"lines": [{"type": "contours", "fade": "yes"}]})", "/lines/0/fade");
+  CheckRefused(R"({"lines": [{"type": "expression", "field": "kr", "fade": 0}]})",
+    "/lines/0/fade is out of range");
+  CheckRefused(R"({"lines": [{"type": "expression"}]})", "/lines/0: they have no field");
+  CheckRefused(R"({"lines": [{"type": "expression", "field": "kr *"}]})", "column 5");
   CheckRefused(
     R"({"lines": [{"type": "creases", "angle": 270}]})", "/lines/0/angle is out of range");
   CheckRefused(
