@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Non-photorealistic rendering for VTK.
 
-All classes of vtkNPR stand here, next to two functions that need no display::
+All classes of vtkNPR stand here, next to a few functions; two need no display::
 
     import vtknpr
     from vtkmodules.vtkFiltersSources import vtkConeSource
@@ -43,17 +43,19 @@ from .vtkNPRRenderingIllustration import (
     vtkNPRViewpoint,
 )
 from .vtkNPRRenderingOffscreen import vtkNPROffscreen
+from .define import Quantities, define_lines  # noqa: F401
 
 
-def illustrate(renderer, style="technical"):
+def illustrate(renderer, style="technical", lines=None):
     """Turn what a vtkRenderer shows into an illustration.
 
     The renderer should be in a window that has its size, and its camera should be set. `style` is
-    the name of a built-in style or the path of a style file. Returns the vtkNPRIllustration; keep
-    it as long as the illustration is to be seen. Raises ValueError for a style that is not valid.
+    the name of a built-in style or the path of a style file, `lines` the kinds of lines to draw
+    instead of the style's, also those of define_lines(). Returns the vtkNPRIllustration; keep it as
+    long as the illustration is to be seen. Raises ValueError for a style that is not valid.
     """
     document = vtkNPRIllustrationStyle()
-    if not document.Load(_os.fspath(style)):
+    if not document.Load(_os.fspath(style)) or not (lines is None or document.SelectLines(lines)):
         raise ValueError(document.GetErrorMessage())
     illustration = vtkNPRIllustration()
     illustration.SetRenderer(renderer)
@@ -63,11 +65,11 @@ def illustrate(renderer, style="technical"):
     return illustration
 
 
-def render(surface, path, style="technical", size=(1600, 1200), view="three-quarter"):
+def render(surface, path, style="technical", size=(1600, 1200), view="three-quarter", lines=None):
     """Draw a vtkPolyData into a PNG file, without a display.
 
     `view` is a name that vtkNPRViewpoint knows or (azimuth, elevation) in degrees; `size` is
-    (width, height) in pixels. Raises ValueError for what is not valid and OSError when the file
+    (width, height) in pixels, `lines` as for illustrate(). Raises ValueError for what is not valid and OSError when the file
     can not be written, RuntimeError where nothing can be drawn with.
     """
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
@@ -98,7 +100,7 @@ def render(surface, path, style="technical", size=(1600, 1200), view="three-quar
     else:
         raise ValueError(f"unknown view {view!r}; the views are {', '.join(vtkNPRViewpoint.GetViewNames())}")
     viewpoint.Apply(renderer)
-    illustration = illustrate(renderer, style)
+    illustration = illustrate(renderer, style, lines)
     window.Render()
 
     grab = _vtkWindowToImageFilter()
