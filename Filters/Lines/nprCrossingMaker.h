@@ -31,6 +31,14 @@ public:
   CrossingMaker(
     const LineSurface& surface, const std::vector<float>& levels, const FieldValues& values);
 
+  /// False where the test accepts nothing of a triangle.
+  bool MayBeAccepted(Index triangle) const
+  {
+    const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
+    return this->Values.GetTest(c[0]) > 0.0f || this->Values.GetTest(c[1]) > 0.0f ||
+      this->Values.GetTest(c[2]) > 0.0f;
+  }
+
   /// Appends those of a triangle, the lowest level first.
   void Add(Index triangle, std::vector<LineCrossing>& crossings) const;
 

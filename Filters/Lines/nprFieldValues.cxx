@@ -68,15 +68,6 @@ void FieldValues::Start(
 }
 
 //------------------------------------------------------------------------------
-void FieldValues::RequireAll()
-{
-  for (Index block = 0; block < this->NumberOfBlocks; ++block)
-  {
-    this->Require(block);
-  }
-}
-
-//------------------------------------------------------------------------------
 void FieldValues::Evaluate()
 {
   constexpr unsigned char required = 1;
@@ -147,20 +138,70 @@ void FieldValues::EvaluateSpan(Index begin, Index end)
   }
   for (Index first = begin; first < end; first += LineClusters::PointsOfBlock)
   {
-    const Side side = sides[first];
-    const Index last = std::min(first + LineClusters::PointsOfBlock, end);
-    unsigned int differences = 0;
-    for (Index i = first; i < last; ++i)
-    {
-      differences |= static_cast<unsigned int>(sides[i] ^ side);
-    }
-    this->BlockSides[first / LineClusters::PointsOfBlock] = differences == 0 ? side : Mixed;
+    this->SetBlockSide(first, std::min(first + LineClusters::PointsOfBlock, end));
   }
+}
+
+//------------------------------------------------------------------------------
+void FieldValues::SetBlockSide(Index begin, Index end)
+{
+  bool isMixed = false;
+  if (!this->TestBounds.empty())
+  {
+    isMixed = std::any_of(this->TestBounds.begin() + begin, this->TestBounds.begin() + end,
+      [](float bound) { return bound > 0.0f; });
+  }
+  else if (this->Axes)
+  {
+    isMixed = true;
+  }
+  else
+  {
+    unsigned int differences = 0;
+    for (Index i = begin; i < end; ++i)
+    {
+      differences |= static_cast<unsigned int>(this->Sides[i] ^ this->Sides[begin]);
+    }
+    isMixed = differences != 0;
+  }
+  this->BlockSides[begin / LineClusters::PointsOfBlock] = isMixed ? Mixed
+    : this->TestBounds.empty()                                    ? this->Sides[begin]
+                                                                  : Side(0);
+}
+
+//------------------------------------------------------------------------------
+// The fall to a maximum is measured in the triangles around a point.
+void FieldValues::RequireAroundTests()
+{
+  const TriangleMesh& mesh = this->Surface.GetMesh();
+  vtkSMPTools::For(0, this->NumberOfPoints,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (Index point = static_cast<Index>(begin); point < end; ++point)
+      {
+        if (this->TestPoints[point].load(std::memory_order_relaxed) == 0)
+        {
+          continue;
+        }
+        for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+        {
+          for (const Index corner : mesh.GetTriangle(*t))
+          {
+            this->Require(corner / LineClusters::PointsOfBlock);
+          }
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 void FieldValues::EvaluateTests()
 {
+  if (this->Axes && this->Definition->IsMaximum())
+  {
+    this->RequireAroundTests();
+    this->Evaluate();
+  }
   vtkSMPTools::For(0, this->NumberOfParts,
     [this](vtkIdType begin, vtkIdType end)
     {
@@ -192,7 +233,9 @@ void FieldValues::EvaluateTests()
           fall.clear();
           for (const Index point : points)
           {
-            fall.push_back(this->Axes->ComputeFall(point, this->Field.data()));
+            // Where no line may be, the test fails without it.
+            fall.push_back(
+              this->MayBeAt(point) ? this->Axes->ComputeFall(point, this->Field.data()) : 0.0f);
           }
         }
         this->Definition->EvaluateTest(this->Surface, this->View, points.data(), count,

@@ -60,7 +60,6 @@ public:
       this->Blocks[block].store(1, std::memory_order_relaxed);
     }
   }
-  void RequireAll();
   void Evaluate();
   /// At once; for one thread alone.
   void EvaluateNow(Index block);
@@ -68,7 +67,8 @@ public:
   float operator[](Index point) const { return this->Field[point]; }
   Side GetSide(Index point) const { return this->Sides[point]; }
   const Side* GetSides() const { return this->Sides.data(); }
-  /// The side that all points of a block have, or Mixed.
+  /// The side that all points of a block have, or Mixed. Where the field's sign belongs to an axis,
+  /// any other than Mixed where no line may be.
   Side GetSideOfBlock(Index block) const { return this->BlockSides[block]; }
   ///@}
 
@@ -79,7 +79,8 @@ public:
     this->TestParts[point / PointsOfPart].store(1, std::memory_order_relaxed);
     this->TestPoints[point].store(1, std::memory_order_relaxed);
   }
-  /// Forgets what was required. Needs the field around the points where it is to have a maximum.
+  /// Forgets what was required. Evaluates the field around the points where it is to have a
+  /// maximum.
   void EvaluateTests();
   float GetTest(Index point) const { return this->Test[point]; }
   ///@}
@@ -89,6 +90,8 @@ private:
   using Flags = std::unique_ptr<std::atomic<unsigned char>[]>;
 
   void EvaluateSpan(Index begin, Index end);
+  void SetBlockSide(Index begin, Index end);
+  void RequireAroundTests();
 
   const LineSurface& Surface;
   const vtkNPRLineDefinition* Definition = nullptr;

@@ -191,22 +191,19 @@ bool LineExtractor::IsCrossed(Index triangle, const FieldValues& values) const
   const FieldValues::Side b = values.GetSide(c[1]);
   const FieldValues::Side d = values.GetSide(c[2]);
   const FieldAxes* const axes = values.GetAxes();
-  if (!axes)
-  {
-    return (a != b || b != d) && a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
-      d != FieldValues::NotANumber;
-  }
   const float* const field = values.Get();
-  return a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
+  const bool mayBe =
+    axes ? values.MayBeAt(c[0]) || values.MayBeAt(c[1]) || values.MayBeAt(c[2]) : a != b || b != d;
+  return mayBe && a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
     d != FieldValues::NotANumber &&
-    (values.MayBeAt(c[0]) || values.MayBeAt(c[1]) || values.MayBeAt(c[2])) &&
-    axes->IsCrossed(3 * triangle, field) + axes->IsCrossed(3 * triangle + 1, field) +
-      axes->IsCrossed(3 * triangle + 2, field) ==
-    2;
+    (!axes ||
+      axes->IsCrossed(3 * triangle, field) + axes->IsCrossed(3 * triangle + 1, field) +
+          axes->IsCrossed(3 * triangle + 2, field) ==
+        2);
 }
 
 //------------------------------------------------------------------------------
-// Whether all points of a cluster are known to be on one side.
+// Whether all points of a cluster are known to be on one side of the line.
 bool LineExtractor::IsOnOneSide(Index cluster, const FieldValues& values) const
 {
   const Index* const begin = this->Clusters.BlocksBegin(cluster);
@@ -240,6 +237,10 @@ void LineExtractor::FindCrossed(FieldValues& values)
       };
       for (const Index cluster : this->Parts[p].Clusters)
       {
+        if (this->IsOnOneSide(cluster, values))
+        {
+          continue;
+        }
         if (values.GetAxes())
         {
           // Sides mean nothing where the sign belongs to an axis.
@@ -251,10 +252,6 @@ void LineExtractor::FindCrossed(FieldValues& values)
               crossed.push_back(t);
             }
           }
-        }
-        else if (this->IsOnOneSide(cluster, values))
-        {
-          continue;
         }
         else if (this->HasCandidates)
         {
@@ -342,12 +339,6 @@ void LineExtractor::MakeCrossings(
           }
         }
       });
-    if (this->Definition.IsMaximum())
-    {
-      // The fall to it is measured in the triangles around, wherever their points may be.
-      values.RequireAll();
-      values.Evaluate();
-    }
     values.EvaluateTests();
   }
   const CrossingMaker maker(this->Surface, this->Levels, values);
@@ -358,7 +349,10 @@ void LineExtractor::MakeCrossings(
       part.Crossings.clear();
       for (const Index triangle : part.Crossed)
       {
-        maker.Add(triangle, part.Crossings);
+        if (!tested || maker.MayBeAccepted(triangle))
+        {
+          maker.Add(triangle, part.Crossings);
+        }
       }
       if (useSlopes && this->HasSlopes)
       {

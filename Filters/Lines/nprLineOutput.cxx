@@ -5,18 +5,11 @@
 #include "nprArrayNames.h"
 #include "nprLineClusters.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <numeric>
@@ -34,15 +27,22 @@ std::size_t GetPlace(const LineChains& chains, std::size_t vertex)
   return static_cast<std::size_t>(chains.Triangles[vertex] / LineClusters::TrianglesOfCluster);
 }
 
-// An array of values that are all to be set.
+// An array of so many tuples: the one that there is if nobody else holds it. Whether what was in it
+// is there still.
 template<typename Array>
-vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType size)
+bool Prepare(vtkSmartPointer<Array>& array, const char* name, int components, vtkIdType size)
 {
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
+  const bool isMine = array && array->GetReferenceCount() == 1;
+  if (!isMine)
+  {
+    array = vtkSmartPointer<Array>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+  }
+  const auto* const before = array->GetPointer(0);
   array->SetNumberOfTuples(size);
-  return array;
+  array->Modified();
+  return isMine && array->GetPointer(0) == before;
 }
 }
 
@@ -141,9 +141,52 @@ bool LineOutput::IsWanted(
 }
 
 //------------------------------------------------------------------------------
-void LineOutput::Add(
-  const LineChains& chains, int type, const std::vector<double>& levels, ChainIds& ids, int& nextId)
+void LineOutput::Begin(const Eigen::Vector3d& origin, const Options& options)
 {
+  // With a minimum length, another view may choose others.
+  this->MayKeepLast = origin == this->Origin && options.MinimumLength == 0.0 &&
+    this->Settings.MinimumLength == 0.0 &&
+    options.MinimumStrength == this->Settings.MinimumStrength;
+  this->Origin = origin;
+  this->Settings = options;
+  this->LastLines.swap(this->Lines);
+  this->Lines.clear();
+  this->NumberOfPoints = 0;
+  this->NumberOfCorners = 0;
+}
+
+//------------------------------------------------------------------------------
+// The lines of a definition that were written last. False if they would be at another place.
+bool LineOutput::AddLast(const LineChains& chains, int type)
+{
+  const auto begin = this->LastLines.begin() + this->Lines.size();
+  if (this->Lines.size() >= this->LastLines.size() || begin->Type != type ||
+    begin->FirstPoint != this->NumberOfPoints || begin->FirstCorner != this->NumberOfCorners)
+  {
+    return false;
+  }
+  const auto end = std::find_if(
+    begin, this->LastLines.end(), [type](const Line& line) { return line.Type != type; });
+  for (auto line = begin; line != end; ++line)
+  {
+    this->Lines.push_back(*line);
+    this->Lines.back().Chains = &chains;
+    this->Lines.back().IsUnchanged = true;
+    const std::size_t size = chains.GetSize(line->Chain);
+    this->NumberOfPoints += static_cast<vtkIdType>(size);
+    this->NumberOfCorners += static_cast<vtkIdType>(size + (chains.Closed[line->Chain] ? 1 : 0));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void LineOutput::Add(const LineChains& chains, bool isUnchanged, int type,
+  const std::vector<double>& levels, ChainIds& ids, int& nextId)
+{
+  if (isUnchanged && this->MayKeepLast && this->AddLast(chains, type))
+  {
+    return;
+  }
   std::vector<char> wanted(chains.GetNumberOfChains());
   std::vector<ChainIds::Claim> claims(wanted.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()),
@@ -168,46 +211,61 @@ void LineOutput::Add(
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     const vtkIdType size = static_cast<vtkIdType>(chains.GetSize(chosen[i]));
-    this->Lines.push_back({ &chains, chosen[i], this->NumberOfPoints, this->NumberOfCorners, type,
-      given[i], levels[chains.Levels[chosen[i]]] });
+    this->Lines.push_back({ &chains, chosen[i], this->NumberOfPoints, this->NumberOfCorners,
+      levels[chains.Levels[chosen[i]]], type, given[i], false });
     this->NumberOfPoints += size;
     this->NumberOfCorners += size + (chains.Closed[chosen[i]] ? 1 : 0);
   }
 }
 
 //------------------------------------------------------------------------------
-void LineOutput::Write(vtkPolyData* output) const
+void LineOutput::WriteLines()
 {
   const vtkIdType numberOfLines = static_cast<vtkIdType>(this->Lines.size());
   const bool hasSources = std::any_of(this->Lines.begin(), this->Lines.end(),
-    [](const Chosen& line) { return !line.Chains->SourceCells.empty(); });
-  const auto positions = MakeArray<vtkDoubleArray>("Points", 3, this->NumberOfPoints);
-  const auto normals = MakeArray<vtkFloatArray>(names::Normals, 3, this->NumberOfPoints);
-  const auto strengths = MakeArray<vtkFloatArray>(names::Strength, 1, this->NumberOfPoints);
-  const auto arcLengths = MakeArray<vtkFloatArray>(names::ArcLength, 1, this->NumberOfPoints);
-  const auto distances = MakeArray<vtkFloatArray>(
-    names::ViewDistance, 1, this->Settings.Ruler ? this->NumberOfPoints : 0);
-  const auto cells =
-    MakeArray<vtkIdTypeArray>(names::SourceCell, 1, hasSources ? this->NumberOfPoints : 0);
-  const auto edges =
-    MakeArray<vtkIdTypeArray>(names::SourceEdge, 2, hasSources ? this->NumberOfPoints : 0);
-  const auto types = MakeArray<vtkIntArray>(names::LineType, 1, numberOfLines);
-  const auto levels = MakeArray<vtkDoubleArray>(names::LineLevel, 1, numberOfLines);
-  const auto ids = MakeArray<vtkIntArray>(names::ChainId, 1, numberOfLines);
-  const auto offsets = MakeArray<vtkIdTypeArray>("Offsets", 1, numberOfLines + 1);
-  const auto corners = MakeArray<vtkIdTypeArray>("Corners", 1, this->NumberOfCorners);
+    [](const Line& line) { return !line.Chains->SourceCells.empty(); });
+  Arrays& to = this->Written;
+  // What is there already stays only where all of it is.
+  bool isKept = true;
+  const auto prepare = [&isKept](auto& array, const char* name, int components, vtkIdType size)
+  { isKept = Prepare(array, name, components, size) && isKept; };
+  prepare(to.Positions, "Points", 3, this->NumberOfPoints);
+  prepare(to.Normals, names::Normals, 3, this->NumberOfPoints);
+  prepare(to.Strengths, names::Strength, 1, this->NumberOfPoints);
+  prepare(to.ArcLengths, names::ArcLength, 1, this->NumberOfPoints);
+  prepare(to.SourceCells, names::SourceCell, 1, hasSources ? this->NumberOfPoints : 0);
+  prepare(to.SourceEdges, names::SourceEdge, 2, hasSources ? this->NumberOfPoints : 0);
+  prepare(to.Types, names::LineType, 1, numberOfLines);
+  prepare(to.Levels, names::LineLevel, 1, numberOfLines);
+  prepare(to.Ids, names::ChainId, 1, numberOfLines);
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> corners;
+  offsets->SetNumberOfValues(numberOfLines + 1);
   offsets->SetValue(numberOfLines, this->NumberOfCorners);
+  corners->SetNumberOfValues(this->NumberOfCorners);
 
   const auto writeLine = [&](vtkIdType i)
   {
-    const Chosen& line = this->Lines[i];
+    const Line& line = this->Lines[i];
     const LineChains& chains = *line.Chains;
     const std::size_t begin = chains.Begins[line.Chain];
     const vtkIdType size = static_cast<vtkIdType>(chains.GetSize(line.Chain));
-    types->SetValue(i, line.Type);
-    levels->SetValue(i, line.Level);
-    ids->SetValue(i, line.Id);
     offsets->SetValue(i, line.FirstCorner);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      corners->SetValue(line.FirstCorner + k, line.FirstPoint + k);
+    }
+    if (chains.Closed[line.Chain])
+    {
+      corners->SetValue(line.FirstCorner + size, line.FirstPoint);
+    }
+    if (isKept && line.IsUnchanged)
+    {
+      return;
+    }
+    to.Types->SetValue(i, line.Type);
+    to.Levels->SetValue(i, line.Level);
+    to.Ids->SetValue(i, line.Id);
     double length = 0.0;
     for (vtkIdType k = 0; k < size; ++k)
     {
@@ -215,25 +273,15 @@ void LineOutput::Write(vtkPolyData* output) const
       const vtkIdType point = line.FirstPoint + k;
       const Eigen::Vector3d position = this->Origin + chains.Positions[v];
       length += k == 0 ? 0.0 : (chains.Positions[v] - chains.Positions[v - 1]).norm();
-      positions->SetTypedTuple(point, position.data());
-      normals->SetTypedTuple(point, chains.Normals[v].data());
-      strengths->SetValue(point, chains.Strengths[v]);
-      arcLengths->SetValue(point, static_cast<float>(length));
-      corners->SetValue(line.FirstCorner + k, point);
-      if (this->Settings.Ruler)
-      {
-        distances->SetValue(
-          point, static_cast<float>(this->Settings.Ruler->GetDistance(chains.Positions[v])));
-      }
+      to.Positions->SetTypedTuple(point, position.data());
+      to.Normals->SetTypedTuple(point, chains.Normals[v].data());
+      to.Strengths->SetValue(point, chains.Strengths[v]);
+      to.ArcLengths->SetValue(point, static_cast<float>(length));
       if (hasSources)
       {
-        cells->SetValue(point, chains.SourceCells[v]);
-        edges->SetTypedTuple(point, chains.SourceEdges[v].data());
+        to.SourceCells->SetValue(point, chains.SourceCells[v]);
+        to.SourceEdges->SetTypedTuple(point, chains.SourceEdges[v].data());
       }
-    }
-    if (chains.Closed[line.Chain])
-    {
-      corners->SetValue(line.FirstCorner + size, line.FirstPoint);
     }
   };
   vtkSMPTools::For(0, numberOfLines,
@@ -244,27 +292,65 @@ void LineOutput::Write(vtkPolyData* output) const
         writeLine(i);
       }
     });
+  to.Points = vtkSmartPointer<vtkPoints>::New();
+  to.Points->SetData(to.Positions);
+  to.Cells = vtkSmartPointer<vtkCellArray>::New();
+  to.Cells->SetData(offsets, corners);
+}
 
-  vtkNew<vtkPoints> points;
-  points->SetData(positions);
-  output->SetPoints(points);
-  vtkNew<vtkCellArray> lines;
-  lines->SetData(offsets, corners);
-  output->SetLines(lines);
-  output->GetPointData()->SetNormals(normals);
-  output->GetPointData()->AddArray(strengths);
-  output->GetPointData()->AddArray(arcLengths);
+//------------------------------------------------------------------------------
+void LineOutput::WriteDistances()
+{
+  Prepare(this->Written.Distances, names::ViewDistance, 1, this->NumberOfPoints);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Lines.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Line& line = this->Lines[i];
+        float* distance = this->Written.Distances->GetPointer(line.FirstPoint);
+        for (std::size_t v = line.Chains->Begins[line.Chain]; v < line.Chains->Ends[line.Chain];
+             ++v)
+        {
+          *distance++ =
+            static_cast<float>(this->Settings.Ruler->GetDistance(line.Chains->Positions[v]));
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void LineOutput::Write(vtkPolyData* output)
+{
+  const bool isUnchanged = this->Written.Points && this->Lines.size() == this->LastLines.size() &&
+    std::all_of(
+      this->Lines.begin(), this->Lines.end(), [](const Line& line) { return line.IsUnchanged; });
+  if (!isUnchanged)
+  {
+    // The points hold the positions, which are to be used again if nobody else holds them.
+    this->Written.Points = nullptr;
+    this->WriteLines();
+  }
+  const Arrays& from = this->Written;
+  output->SetPoints(from.Points);
+  output->SetLines(from.Cells);
+  vtkPointData* const pointData = output->GetPointData();
+  pointData->SetNormals(from.Normals);
+  pointData->AddArray(from.Strengths);
+  pointData->AddArray(from.ArcLengths);
   if (this->Settings.Ruler)
   {
-    output->GetPointData()->AddArray(distances);
+    this->WriteDistances();
+    pointData->AddArray(from.Distances);
   }
-  if (hasSources)
+  if (std::any_of(this->Lines.begin(), this->Lines.end(),
+        [](const Line& line) { return !line.Chains->SourceCells.empty(); }))
   {
-    output->GetPointData()->AddArray(cells);
-    output->GetPointData()->AddArray(edges);
+    pointData->AddArray(from.SourceCells);
+    pointData->AddArray(from.SourceEdges);
   }
-  output->GetCellData()->AddArray(types);
-  output->GetCellData()->AddArray(levels);
-  output->GetCellData()->AddArray(ids);
+  output->GetCellData()->AddArray(from.Types);
+  output->GetCellData()->AddArray(from.Levels);
+  output->GetCellData()->AddArray(from.Ids);
 }
 }

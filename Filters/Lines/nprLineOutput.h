@@ -8,6 +8,13 @@
 #include "nprVTKCompat.h"
 #include "vtkNPRFiltersLinesModule.h"
 
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <cstddef>
@@ -50,6 +57,9 @@ private:
 /**
  * @class LineOutput
  * @brief Writes the chains of all definitions into one vtkPolyData.
+ *
+ * What no view has changed since the last time is not written again; the arrays are the last ones
+ * where nobody else holds them.
  */
 class VTKNPRFILTERSLINES_EXPORT LineOutput
 {
@@ -63,36 +73,56 @@ public:
     const LineRuler* Ruler = nullptr; ///< null where there is no camera
   };
 
-  LineOutput(const Eigen::Vector3d& origin, const Options& options)
-    : Origin(origin), Settings(options)
-  {
-  }
-
-  /// All must live until the output is written. `type` is the definition's number, `levels` its
-  /// levels.
-  void Add(const LineChains& chains, int type, const std::vector<double>& levels, ChainIds& ids,
-    int& nextId);
+  /// Begins an output. The origin is what the chains' positions are relative to.
+  void Begin(const Eigen::Vector3d& origin, const Options& options);
+  /// The chains of a definition, which must live until the output after this has been written.
+  /// `type` is the definition's number, `levels` its levels. `isUnchanged` says that the chains are
+  /// those of the last output.
+  void Add(const LineChains& chains, bool isUnchanged, int type, const std::vector<double>& levels,
+    ChainIds& ids, int& nextId);
   /// Points, lines, and their arrays.
-  void Write(vtkPolyData* output) const;
+  void Write(vtkPolyData* output);
 
 private:
-  struct Chosen
+  struct Line
   {
     const LineChains* Chains;
     std::size_t Chain;
     vtkIdType FirstPoint;
     vtkIdType FirstCorner;
+    double Level;
     int Type;
     int Id;
-    double Level;
+    bool IsUnchanged;
+  };
+  struct Arrays
+  {
+    vtkSmartPointer<vtkDoubleArray> Positions;
+    vtkSmartPointer<vtkFloatArray> Normals;
+    vtkSmartPointer<vtkFloatArray> Strengths;
+    vtkSmartPointer<vtkFloatArray> ArcLengths;
+    vtkSmartPointer<vtkFloatArray> Distances;
+    vtkSmartPointer<vtkIdTypeArray> SourceCells;
+    vtkSmartPointer<vtkIdTypeArray> SourceEdges;
+    vtkSmartPointer<vtkIntArray> Types;
+    vtkSmartPointer<vtkDoubleArray> Levels;
+    vtkSmartPointer<vtkIntArray> Ids;
+    vtkSmartPointer<vtkPoints> Points;
+    vtkSmartPointer<vtkCellArray> Cells;
   };
   bool IsWanted(const LineChains& chains, std::size_t chain, const ChainIds::Claim& claim) const;
+  bool AddLast(const LineChains& chains, int type);
+  void WriteLines();
+  void WriteDistances();
 
-  const Eigen::Vector3d Origin;
-  const Options Settings;
-  std::vector<Chosen> Lines;
+  Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
+  Options Settings;
+  std::vector<Line> Lines;
+  std::vector<Line> LastLines;
+  bool MayKeepLast = false; // whether the same chains would be chosen again
   vtkIdType NumberOfPoints = 0;
   vtkIdType NumberOfCorners = 0;
+  Arrays Written;
 };
 }
 

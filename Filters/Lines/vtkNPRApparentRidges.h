@@ -88,6 +88,10 @@ public:
   {
     return true;
   }
+  std::array<float, 2> GetFacingRange() const override
+  {
+    return { 0.0f, 1.0f };
+  }
   bool HasTest() const override
   {
     return true;

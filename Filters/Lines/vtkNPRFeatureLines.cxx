@@ -82,6 +82,7 @@ public:
     std::unique_ptr<npr::LineExtractor> Extractor;
     npr::LineChains Chains;
     npr::ChainIds Ids;
+    bool IsWritten = false; // whether the last output had these chains
   };
   std::vector<Entry> Entries;
 
@@ -91,6 +92,7 @@ public:
   std::unique_ptr<npr::LineJoiner> Joiner;
   npr::LineSegments Segments;
   npr::LinePaths Paths;
+  npr::LineOutput Output;
   int NextId = 0;
 
   // What was made where arrays were missing, and of which input.
@@ -133,6 +135,7 @@ public:
       const StageTimer timer(*this, JOIN);
       this->Joiner->Join(this->Segments, this->Paths);
     }
+    entry.IsWritten = false;
     const StageTimer timer(*this, PLACE);
     entry.Chains.Make(*this->Surface, this->Segments, this->Paths, this->OutputSources);
   }
@@ -485,7 +488,7 @@ int vtkNPRFeatureLines::RequestData(
   }
   if (input->GetNumberOfPoints() == 0 || input->GetNumberOfPolys() == 0)
   {
-    npr::LineOutput(Eigen::Vector3d::Zero(), {}).Write(output);
+    npr::LineOutput().Write(output);
     return 1;
   }
   if (!this->PrepareSurface(this->GetSurface(input)))
@@ -510,20 +513,31 @@ int vtkNPRFeatureLines::RequestData(
     ruler = std::make_unique<npr::LineRuler>(this->Camera, modelToWorld, origin);
   }
 
-  npr::LineOutput lines(origin,
+  npr::LineOutput& lines = internal.Output;
+  lines.Begin(origin,
     { this->MinimumLength, static_cast<float>(this->MinimumStrength), this->Hysteresis,
       ruler.get() });
-  for (std::size_t i = 0; i < internal.Entries.size() && !npr::IsAborted(this); ++i)
+  // First those that no view changes, so that they stay where they are.
+  int done = 0;
+  for (const bool moves : { false, true })
   {
-    Internals::Entry& entry = internal.Entries[i];
-    if (entry.Definition->IsViewDependent())
+    for (std::size_t i = 0; i < internal.Entries.size() && !npr::IsAborted(this); ++i)
     {
-      internal.Extract(entry, view, internal.Options);
+      Internals::Entry& entry = internal.Entries[i];
+      if (entry.Definition->IsViewDependent() != moves)
+      {
+        continue;
+      }
+      if (moves)
+      {
+        internal.Extract(entry, view, internal.Options);
+      }
+      const Internals::StageTimer timer(internal, WRITE);
+      lines.Add(entry.Chains, entry.IsWritten, static_cast<int>(i), internal.GetLevels(entry),
+        entry.Ids, internal.NextId);
+      entry.IsWritten = !moves;
+      this->UpdateProgress(0.5 + 0.5 * static_cast<double>(++done) / internal.Entries.size());
     }
-    const Internals::StageTimer timer(internal, WRITE);
-    lines.Add(
-      entry.Chains, static_cast<int>(i), internal.GetLevels(entry), entry.Ids, internal.NextId);
-    this->UpdateProgress(0.5 + 0.5 * static_cast<double>(i + 1) / internal.Entries.size());
   }
   const Internals::StageTimer timer(internal, WRITE);
   lines.Write(output);

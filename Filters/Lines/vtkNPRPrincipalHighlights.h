@@ -66,6 +66,10 @@ public:
   void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view, vtkIdType begin,
     vtkIdType end, float* field) const override;
   const char* GetAxes() const override;
+  std::array<float, 2> GetFacingRange() const override
+  {
+    return { 0.0f, 1.0f };
+  }
   bool HasTest() const override
   {
     return true;
