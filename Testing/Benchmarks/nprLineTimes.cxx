@@ -12,7 +12,9 @@
 #include <vtkNew.h>
 #include <vtkPolyDataSilhouette.h>
 
+#include <array>
 #include <cstdio>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -92,8 +94,9 @@ public:
   }
 
   /// Without a yardstick there is no ratio. `anew` has the lines found again even if no view
-  /// changes them.
-  void Add(const char* title, const Names& names, bool anew = false, const Settings& settings = {})
+  /// changes them. The second line says where the time with two threads goes.
+  void Add(const char* title, const Names& names, bool anew = false, const Settings& settings = {},
+    int strategy = vtkNPRFeatureLines::HIERARCHICAL)
   {
     std::string missing;
     for (const std::string& name : names)
@@ -106,6 +109,7 @@ public:
       return;
     }
     const auto filter = MakeLineFilter(this->Input, names);
+    filter->SetStrategy(strategy);
     for (const auto& [parameter, values] : settings)
     {
       if (!filter->GetDefinition(0)->SetParameter(parameter, values))
@@ -115,11 +119,13 @@ public:
     }
     Cost costs[2];
     Counts counts;
+    std::array<double, vtkNPRFeatureLines::NumberOfStages> stages;
     for (int threads = 1; threads <= 2; ++threads)
     {
       UseThreads(threads);
       filter->SetCamera(this->AllViews[0]);
       filter->Update(); // the set-up
+      stages.fill(0.0);
       costs[threads - 1] = MeasureMean(this->GetSize(), this->Runs,
         [&](int view)
         {
@@ -129,6 +135,10 @@ public:
             filter->GetDefinition(i)->Modified();
           }
           filter->Update();
+          for (int stage = 0; stage < vtkNPRFeatureLines::NumberOfStages; ++stage)
+          {
+            stages[stage] += filter->GetStageSeconds(stage);
+          }
           vtkCellArray* const lines = filter->GetOutput()->GetLines();
           counts.Segments +=
             static_cast<double>(lines->GetNumberOfConnectivityIds() - lines->GetNumberOfCells());
@@ -146,6 +156,7 @@ public:
         costs[1].Wall / this->Yardstick->Wall);
     }
     std::printf("\n");
+    PrintShares(stages);
     std::fflush(stdout);
   }
 
@@ -164,6 +175,17 @@ private:
     {
       std::printf(" %7s", "");
     }
+  }
+  static void PrintShares(const std::array<double, vtkNPRFeatureLines::NumberOfStages>& stages)
+  {
+    const double all = std::accumulate(stages.begin(), stages.end(), 0.0);
+    std::printf("   ");
+    for (int stage = 0; stage < vtkNPRFeatureLines::NumberOfStages; ++stage)
+    {
+      std::printf(
+        " %s %.0f %%", vtkNPRFeatureLines::GetStageName(stage), 100.0 * stages[stage] / all);
+    }
+    std::printf("\n");
   }
   static void PrintCost(const Cost& cost)
   {
@@ -194,7 +216,11 @@ Names GetAllLineNames()
   Names names;
   for (int i = 0; i < vtkNPRLineDefinition::GetNumberOfLineNames(); ++i)
   {
-    names.emplace_back(vtkNPRLineDefinition::GetLineName(i));
+    const char* const name = vtkNPRLineDefinition::GetLineName(i);
+    if (vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name))->IsForAnySurface())
+    {
+      names.emplace_back(name);
+    }
   }
   return names;
 }
@@ -231,6 +257,9 @@ void PrintLineTimes(vtkPolyData* surface, const Views& views, int runs)
   table.AddPlain(
     "plain: contours", plain, [&](vtkCamera* camera) { plain.FindContours(getEye(camera)); });
   table.Add("contours", { "contours" });
+  table.Add(
+    "contours, all triangles", { "contours" }, false, {}, vtkNPRFeatureLines::FULL_TRAVERSAL);
+  table.Add("contours, random seeds", { "contours" }, false, {}, vtkNPRFeatureLines::RANDOM_SEEDS);
   table.AddPlain("plain: contours, suggestive", plain,
     [&](vtkCamera* camera) { plain.FindSuggestiveContours(getEye(camera)); });
   table.Add("contours, suggestive", { "contours", "suggestive" });
