@@ -16,8 +16,7 @@ namespace nprbench
 {
 using Names = std::vector<std::string>;
 
-/// All kinds of lines that this build knows.
-/// Those that can be drawn on any surface.
+/// All kinds of lines that can be drawn on any surface.
 Names GetAllLineNames();
 
 vtkSmartPointer<vtkNPRFeatureLines> MakeLineFilter(vtkPolyData* surface, const Names& names);
