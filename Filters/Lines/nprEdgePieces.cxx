@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprEdgePieces.h"
 
+#include "nprEdgeFans.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkSMPTools.h>
@@ -233,6 +234,10 @@ void AddEdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& defin
   if (definition.GetLeastRow() > 1.0)
   {
     DropShortRows(surface, definition.GetLeastRow(), found);
+  }
+  if (definition.ComparesTriangles())
+  {
+    EdgeFans(surface).Join(values, found);
   }
   DropOthers(surface, found);
   pieces.insert(pieces.end(), found.begin(), found.end());

@@ -28,9 +28,9 @@ struct LinePaths
  * @class LineJoiner
  * @brief Joins segments end to end wherever exactly two ends meet.
  *
- * Where more meet, all lines end. A path takes the direction that most of its segments have. The
- * order of the paths follows from that of the segments alone. Keeps its memory from one call to the
- * next.
+ * Where more meet, all lines end, unless the pieces say how they go on (see EdgeFans). A path takes
+ * the direction that most of its segments have. The order of the paths follows from that of the
+ * segments alone. Keeps its memory from one call to the next.
  */
 class VTKNPRFILTERSLINES_EXPORT LineJoiner
 {

@@ -60,7 +60,7 @@ void RemoveDoubles(const LineSurface& surface, LineSegments& segments)
   for (std::size_t i = 0; i < segments.Pieces.size(); ++i)
   {
     const LinePiece& piece = segments.Pieces[i];
-    if (piece.HalfEdges[0] == LinePiece::NoHalfEdge && piece.HalfEdges[1] == LinePiece::NoHalfEdge)
+    if (piece.Nodes[0].IsVertex() && piece.Nodes[1].IsVertex())
     {
       add(piece.Nodes[0].From, piece.Nodes[1].From, crossings + i);
     }

@@ -69,7 +69,8 @@ struct LinePiece
   const Index* Sides; ///< the half-edges on the edge: [Sides, SidesEnd)
   const Index* SidesEnd;
   std::array<LineNode, 2> Nodes;
-  /// The half-edge that a node is on; its vertex where that is NoHalfEdge.
+  /// The half-edge that a node is on, or at a vertex where several lines pass, that of its line
+  /// (see EdgeFans); its vertex where that is NoHalfEdge.
   std::array<Index, 2> HalfEdges;
   /// Where a node lies between the edge's low and high point.
   std::array<float, 2> FromLow;

@@ -414,6 +414,24 @@ void LineSurface::BuildSeams()
 }
 
 //------------------------------------------------------------------------------
+std::pair<const LineSurface::Index*, const LineSurface::Index*> LineSurface::FindSeam(
+  Index halfEdge) const
+{
+  const auto getPoints = [this](Index side)
+  {
+    const auto [low, high] = this->GetLowAndHigh(side);
+    return std::array<Index, 2>{ this->GetWelded(low), this->GetWelded(high) };
+  };
+  const std::array<Index, 2> points = getPoints(halfEdge);
+  const auto& sides = this->Seams.HalfEdges;
+  const auto first = std::partition_point(
+    sides.begin(), sides.end(), [&](Index side) { return getPoints(side) < points; });
+  const auto last =
+    std::find_if(first, sides.end(), [&](Index side) { return getPoints(side) != points; });
+  return { sides.data() + (first - sides.begin()), sides.data() + (last - sides.begin()) };
+}
+
+//------------------------------------------------------------------------------
 LineSurface::Index LineSurface::GetOther(Index halfEdge) const
 {
   if (this->Twins[halfEdge] != NoTwin)

@@ -14,6 +14,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -141,7 +142,11 @@ public:
   std::array<Index, 2> GetLowAndHigh(Index halfEdge) const;
   ///@}
 
-  /// Edges that have no twins: with one half-edge at a border, two where points are split.
+  /// The half-edges on the edge of a half-edge without a twin, in ascending order: [first, second).
+  /// None where the edge has no length.
+  std::pair<const Index*, const Index*> FindSeam(Index halfEdge) const;
+  /// Edges that have no twins: with one half-edge at a border, two where points are split. In the
+  /// order of their welded points.
   const EdgeList& GetSeams() const { return this->Seams; }
   /// Edges between twins; made by the first call of BuildInnerEdges().
   const EdgeList& GetInnerEdges() const { return this->InnerEdges; }

@@ -14,8 +14,10 @@
  * Seen from the eye, each triangle at an edge lies on one of its two sides. The edge is on the
  * outline when there are more on one side than on the other. For two triangles, that is when one
  * faces the eye and one does not; it also settles edges of one, three or more triangles and those
- * whose triangles do not agree about the orientation. Thus on a closed surface the outline is
- * closed: a chain ends only where more than two edges of the outline meet.
+ * whose triangles do not agree about the orientation. Where more than two edges meet, each line
+ * goes on around one fan of triangles that face the eye. Thus on a closed surface all chains are
+ * closed and have what faces the eye on their left. (But where several would run along one edge of
+ * four or more triangles, there is only one.)
  *
  * @par Exactness
  * A triangle that is seen exactly edge-on counts as facing the eye. Each triangle is judged by
