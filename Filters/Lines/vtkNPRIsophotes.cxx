@@ -7,8 +7,10 @@
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -18,20 +20,22 @@ vtkStandardNewMacro(vtkNPRIsophotes);
 class vtkNPRIsophotes::Light
 {
 public:
+  // A light at the eye.
+  Light(const npr::LineView& view, const npr::LineSurface& surface)
+    : X(surface.GetCoordinate(0)), Y(surface.GetCoordinate(1)), Z(surface.GetCoordinate(2)),
+      Place(Eigen::Map<const Eigen::Vector3f>(view.Eye.data())), Near(view.Perspective)
+  {
+  }
   Light(const vtkNPRIsophotes& lines, const npr::LineView& view, const npr::LineSurface& surface)
-    : X(surface.GetCoordinate(0)), Y(surface.GetCoordinate(1)), Z(surface.GetCoordinate(2))
+    : Light(view, surface)
   {
     if (!lines.IsViewDependent())
     {
       this->Place =
         Eigen::Map<const Eigen::Vector3d>(lines.Direction).stableNormalized().cast<float>();
+      this->Near = 0.0f;
     }
-    else if (lines.Azimuth == 0.0 && lines.Elevation == 0.0)
-    {
-      this->Place = Eigen::Map<const Eigen::Vector3f>(view.Eye.data());
-      this->Near = view.Perspective;
-    }
-    else
+    else if (lines.Azimuth != 0.0 || lines.Elevation != 0.0)
     {
       const double azimuth = vtkMath::RadiansFromDegrees(lines.Azimuth);
       const double elevation = vtkMath::RadiansFromDegrees(lines.Elevation);
@@ -39,6 +43,7 @@ public:
       const auto up = static_cast<float>(std::sin(elevation));
       const auto back = static_cast<float>(std::cos(azimuth) * std::cos(elevation));
       this->Place = (right * view.Axes[0] + up * view.Axes[1] + back * view.Axes[2]).normalized();
+      this->Near = 0.0f;
     }
   }
   // The unit vector to the light; 0 at the light itself.
@@ -53,7 +58,7 @@ private:
   const float* Y;
   const float* Z;
   Eigen::Vector3f Place;
-  float Near = 0.0f;
+  float Near;
 };
 
 //------------------------------------------------------------------------------
@@ -73,6 +78,9 @@ vtkNPRIsophotes::vtkNPRIsophotes()
     this->Threshold, 0.0, 1.0e6);
   this->AddParameter("fade", "how far above the threshold lines have their full strength",
     this->Fade, 1.0e-6, 1.0e6);
+  this->AddParameter("distance",
+    "least distance of two lines as the eye sees it, in length scales; 0 lets them crowd",
+    this->Distance, 0.0, 1.0e3);
 }
 
 //------------------------------------------------------------------------------
@@ -93,13 +101,19 @@ std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRIsophotes::GetRequiredArr
 }
 
 //------------------------------------------------------------------------------
+double vtkNPRIsophotes::GetStep() const
+{
+  return (1.0 - this->Minimum) / (std::round(this->Levels) + 1.0);
+}
+
+//------------------------------------------------------------------------------
 std::vector<float> vtkNPRIsophotes::GetLevels(const npr::LineSurface&) const
 {
-  const int count = static_cast<int>(std::round(this->Levels));
-  std::vector<float> levels(count);
-  for (int i = 0; i < count; ++i)
+  const double step = this->GetStep();
+  std::vector<float> levels(static_cast<std::size_t>(std::round(this->Levels)));
+  for (std::size_t i = 0; i < levels.size(); ++i)
   {
-    levels[i] = static_cast<float>(this->Minimum + (1.0 - this->Minimum) * (i + 1) / (count + 1));
+    levels[i] = static_cast<float>(this->Minimum + step * (i + 1.0));
   }
   return levels;
 }
@@ -123,6 +137,8 @@ void vtkNPRIsophotes::EvaluateTest(const npr::LineSurface& surface, const npr::L
   const Index* points, vtkIdType count, const float*, float* test) const
 {
   const Light light(*this, view, surface);
+  const Light eye(view, surface);
+  const bool isSeen = this->IsViewDependent();
   std::array<const float*, 3> normals;
   std::array<const float*, 6> tensor;
   for (int c = 0; c < 6; ++c)
@@ -134,18 +150,37 @@ void vtkNPRIsophotes::EvaluateTest(const npr::LineSurface& surface, const npr::L
     }
   }
   const double scale = surface.GetLengthScale();
+  const double step = this->GetStep();
+  const double distance = this->Distance * scale;
+  constexpr float least = std::numeric_limits<float>::min(); // so that nothing is divided by 0
   for (vtkIdType j = 0; j < count; ++j)
   {
     const Index i = points[j];
     const Eigen::Vector3f n(normals[0][i], normals[1][i], normals[2][i]);
-    Eigen::Vector3f l = light(i);
-    l = (l - n.dot(l) * n).normalized(); // 0 where there is no direction
-    const Eigen::Vector3f bend = {
+    const Eigen::Vector3f toLight = light(i);
+    const Eigen::Vector3f l = toLight - n.dot(toLight) * n;
+    // How the light changes along the surface.
+    const Eigen::Vector3f gradient = {
       tensor[0][i] * l[0] + tensor[3][i] * l[1] + tensor[5][i] * l[2],
       tensor[3][i] * l[0] + tensor[1][i] * l[1] + tensor[4][i] * l[2],
       tensor[5][i] * l[0] + tensor[4][i] * l[1] + tensor[2][i] * l[2],
     };
-    const double curvature = scale * bend.norm();
-    test[j] = static_cast<float>((curvature - this->Threshold) / this->Fade);
+    const float change = gradient.norm();
+    // 0 where there is no direction to the light.
+    const double curvature = scale * change / std::max(l.norm(), least);
+    double strength = (curvature - this->Threshold) / this->Fade;
+    if (distance > 0.0)
+    {
+      double seen = change;
+      if (isSeen)
+      {
+        // The surface is shorter in the direction of the eye, by the cosine.
+        const Eigen::Vector3f v = eye(i);
+        const float cosine = n.dot(v);
+        seen = std::hypot(change, gradient.dot(v) / std::max(std::abs(cosine), least));
+      }
+      strength = std::min(strength, step / std::max(distance * seen, double(least)) - 1.0);
+    }
+    test[j] = static_cast<float>(strength);
   }
 }

@@ -9,7 +9,8 @@
  * one that stays with the model (then no view changes the lines).
  *
  * Lines end where the surface hardly bends towards the light (the length of II(l), l along the
- * surface): on flat parts they would show the noise, or the perspective, and no shape.
+ * surface): on flat parts they would show the noise, or the perspective, and no shape. They also
+ * end where they crowd as the eye sees them, as at the rim, where they would only blacken.
  *
  * Source: Poeschl, "Detecting surface irregularities using isophotes", Computer Aided Geometric
  * Design 1, 1984.
@@ -38,7 +39,7 @@ public:
   bool IsViewDependent() const override;
 
   ///@{
-  /// How many levels there are; a whole number. Range [1, 1000]. Default is 9.
+  /// How many levels there are; a whole number. Range [1, 1000]. Default is 6.
   vtkSetClampMacro(Levels, double, 1.0, 1000.0);
   vtkGetMacro(Levels, double);
   ///@}
@@ -70,8 +71,9 @@ public:
   ///@}
 
   ///@{
-  /// The least curvature towards the light, times the length scale (no unit). At 0 lines run
-  /// everywhere, and no curvature is needed. Range [0, 1e6]. Default is 0.1.
+  /// The least curvature towards the light, times the length scale (no unit). With this and the
+  /// distance at 0 lines run everywhere, and no curvature is needed. Range [0, 1e6]. Default is
+  /// 0.1.
   vtkSetClampMacro(Threshold, double, 0.0, 1.0e6);
   vtkGetMacro(Threshold, double);
   ///@}
@@ -81,6 +83,15 @@ public:
   /// Default is 0.2.
   vtkSetClampMacro(Fade, double, 1.0e-6, 1.0e6);
   vtkGetMacro(Fade, double);
+  ///@}
+
+  ///@{
+  /// The least distance between a line and that of the next level, in length scales (no unit), as
+  /// the eye sees it: across the line of sight, or along the surface where the light stays with the
+  /// model. Lines have their full strength at twice the distance. Range [0, 1e3]; 0 lets them
+  /// crowd. Default is 0.006.
+  vtkSetClampMacro(Distance, double, 0.0, 1.0e3);
+  vtkGetMacro(Distance, double);
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -94,7 +105,7 @@ public:
     vtkIdType end, float* field) const override;
   bool HasTest() const override
   {
-    return this->Threshold > 0.0;
+    return this->Threshold > 0.0 || this->Distance > 0.0;
   }
   void EvaluateTest(const npr::LineSurface& surface, const npr::LineView& view, const Index* points,
     vtkIdType count, const float* fall, float* test) const override;
@@ -106,13 +117,15 @@ protected:
 
 private:
   class Light;
-  double Levels = 9.0;
+  double GetStep() const;
+  double Levels = 6.0;
   double Minimum = 0.0;
   double Azimuth = 0.0;
   double Elevation = 0.0;
   double Direction[3] = { 0.0, 0.0, 0.0 };
   double Threshold = 0.1;
   double Fade = 0.2;
+  double Distance = 0.006;
 
   vtkNPRIsophotes(const vtkNPRIsophotes&) = delete;
   void operator=(const vtkNPRIsophotes&) = delete;

@@ -6,6 +6,7 @@
 
 #include <vtkObjectFactory.h>
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkNPRParabolicLines);
@@ -18,6 +19,9 @@ vtkNPRParabolicLines::vtkNPRParabolicLines()
     1.0e9);
   this->AddParameter("fade", "how far above the threshold lines have their full strength",
     this->Fade, 1.0e-6, 1.0e9);
+  this->AddParameter("steepness",
+    "least gradient of the lesser curvature, over the greater one squared", this->Steepness, 0.0,
+    1.0e6);
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +64,11 @@ void vtkNPRParabolicLines::EvaluateTest(const npr::LineSurface& surface, const n
     const double c2 = scale * k2[i];
     const double gradient =
       scale * scale * std::hypot(c1 * s[i] + c2 * p[i], c1 * t[i] + c2 * q[i]);
-    test[j] = static_cast<float>((gradient - this->Threshold) / this->Fade);
+    // The error of either curvature is a share of the greater one, so a slow change of the lesser
+    // one's sign on a strong bend is noise: lines that wriggle across each fold of a scan.
+    const double least = this->Steepness * c1 * c1;
+    const double excess = scale * scale * std::hypot(s[i], t[i]) - least;
+    const double strength = (gradient - this->Threshold) / this->Fade;
+    test[j] = static_cast<float>(excess < least ? std::min(strength, excess / least) : strength);
   }
 }

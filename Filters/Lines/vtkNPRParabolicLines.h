@@ -33,16 +33,26 @@ public:
 
   ///@{
   /// The least gradient of the Gaussian curvature, times the cube of the length scale (no unit).
-  /// Range [0, 1e9]. Default is 200.
+  /// Range [0, 1e9]. Default is 400.
   vtkSetClampMacro(Threshold, double, 0.0, 1.0e9);
   vtkGetMacro(Threshold, double);
   ///@}
 
   ///@{
   /// How far above the threshold (in its unit) a line has its full strength. Range [1e-6, 1e9].
-  /// Default is 600.
+  /// Default is 800.
   vtkSetClampMacro(Fade, double, 1.0e-6, 1.0e9);
   vtkGetMacro(Fade, double);
+  ///@}
+
+  ///@{
+  /// The least gradient of k2, over the square of k1 (no unit, whatever the length scale); lines
+  /// have their full strength at twice as much. Where k2 changes its sign more slowly than that,
+  /// the place is not certain on measured surfaces. Range [0, 1e6]; 0 for no such bound. Default
+  /// is 0.5: parabolic lines of a torus stay where its tube is thicker than half of its hole's
+  /// mean radius.
+  vtkSetClampMacro(Steepness, double, 0.0, 1.0e6);
+  vtkGetMacro(Steepness, double);
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -66,8 +76,9 @@ protected:
   ~vtkNPRParabolicLines() override = default;
 
 private:
-  double Threshold = 200.0;
-  double Fade = 600.0;
+  double Threshold = 400.0;
+  double Fade = 800.0;
+  double Steepness = 0.5;
 
   vtkNPRParabolicLines(const vtkNPRParabolicLines&) = delete;
   void operator=(const vtkNPRParabolicLines&) = delete;

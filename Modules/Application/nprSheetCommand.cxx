@@ -113,9 +113,8 @@ std::string MakeStyle(const std::vector<std::string>& kinds)
     // What comes from derivatives has their noise.
     const bool isSmooth = definition->HasField() && definition->HasTest();
     lines += ",\n{ \"type\": \"" + kind + R"(", "width": 2.4, "color": "#000000", )" +
-      (isSmooth ? R"("spline": "b-spline", "smoothing": 6, "taper": true, )"
-                : R"("spline": "catmull-rom", )") +
-      R"("minimum_length": 20 })";
+      (isSmooth ? R"("spline": "b-spline", "smoothing": 10, "taper": true, "minimum_length": 40 })"
+                : R"("spline": "catmull-rom", "minimum_length": 20 })");
   }
   return R"({ "name": "sheet", "background": "#ffffff", "shading": { "style": "paper" },
     "lines": [)" +

@@ -273,8 +273,8 @@ void PrintLineTimes(vtkPolyData* surface, const Views& views, int runs)
   table.Add("ridges, valleys: found anew", { "ridges", "valleys" }, true);
   table.AddPlain("plain: 9 isophotes", plain,
     [&](vtkCamera* camera) { plain.FindIsophotes(getEye(camera), tones); });
-  table.Add(
-    "isophotes", { "isophotes" }, false, { { "levels", { 9.0 } }, { "threshold", { 0.0 } } });
+  table.Add("isophotes", { "isophotes" }, false,
+    { { "levels", { 9.0 } }, { "threshold", { 0.0 } }, { "distance", { 0.0 } } });
   table.AddPlain("plain: 20 topographic levels", plain,
     [&](vtkCamera*) { plain.FindTopographicLines(PlainMesh::Vector::UnitY(), heights); });
   table.Add("topographic: found anew", { "topographic" }, true,

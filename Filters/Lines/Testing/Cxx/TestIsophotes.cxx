@@ -60,6 +60,7 @@ void TestModelLight(Checks& check)
   isophotes->SetLevels(1.0);
   isophotes->SetMinimum(0.8);
   isophotes->SetThreshold(0.0);
+  isophotes->SetDistance(0.0);
   isophotes->SetDirection(0.3, 0.0, 1.0);
   const Vector3d unit = Vector3d(0.3, 0.0, 1.0).normalized();
   CheckConvergence(
@@ -71,6 +72,7 @@ void TestViewerLight(Checks& check)
   // The viewer of ExtractLines() looks along -z, and up is (0.1, 0.9, 0.3).
   vtkNew<vtkNPRIsophotes> isophotes;
   isophotes->SetLevels(4.0);
+  isophotes->SetDistance(0.0);
   isophotes->SetAzimuth(40.0);
   isophotes->SetElevation(20.0);
   const Vector3d right = Vector3d(0.1, 0.9, 0.3).cross(Vector3d::UnitZ()).normalized();
@@ -103,6 +105,7 @@ void TestEyeLight(Checks& check)
   isophotes->SetLevels(1.0);
   isophotes->SetMinimum(0.8);
   isophotes->SetThreshold(0.0);
+  isophotes->SetDistance(0.0);
   const auto field = [](const Truth& t)
   { return t.Normal.dot((Vector3d(0.0, 0.0, ViewerDistance) - t.Point).normalized()) - 0.9; };
   CheckConvergence(isophotes, { Bump(1.2), field }, 1, check);
@@ -121,6 +124,24 @@ void TestEyeLight(Checks& check)
   isophotes->SetThreshold(0.0);
   check(ExtractLines(table.Mesh, isophotes).size() == 1, "but by wish");
 }
+
+// On a sphere of the radius 1, which is its length scale, the distances are known.
+void TestDistance(Checks& check)
+{
+  const auto sphere = MakeExactSphere();
+  vtkNew<vtkNPRIsophotes> isophotes;
+  isophotes->SetLevels(9.0);
+  isophotes->SetThreshold(0.0);
+  // From the eye the cosine falls by the tangent of its angle: less than 1 at 0.9 and 0.8.
+  isophotes->SetDistance(0.1);
+  check(ExtractLines(sphere, isophotes).size() == 2, "where lines crowd for the eye, none");
+  isophotes->SetDistance(0.0);
+  check(ExtractLines(sphere, isophotes).size() == 9, "by wish they crowd");
+  // Along the surface it falls by the sine: less than 0.75 at 0.9, 0.8 and 0.7.
+  isophotes->SetDirection(0.0, 1.0, 0.0);
+  isophotes->SetDistance(0.1 / 0.75);
+  check(ExtractLines(sphere, isophotes).size() == 3, "where lines crowd on the surface, none");
+}
 }
 
 int TestIsophotes(int, char*[])
@@ -129,5 +150,6 @@ int TestIsophotes(int, char*[])
   TestModelLight(check);
   TestViewerLight(check);
   TestEyeLight(check);
+  TestDistance(check);
   return check.GetResult();
 }

@@ -102,5 +102,12 @@ int TestZeroCurvatures(int, char*[])
   check(ExtractLines(bump.Mesh, parabolic).size() == 1, "a steep enough crossing is a line");
   parabolic->SetThreshold(1.03 * gradient);
   check(ExtractLines(bump.Mesh, parabolic).empty(), "one that is not is none");
+  // The other curvature there is f / (1 + f'^2)^(1/2).
+  parabolic->SetThreshold(0.0);
+  const double steepness = 2.0 / (f * (1.0 + f * f));
+  parabolic->SetSteepness(0.9 * steepness);
+  check(ExtractLines(bump.Mesh, parabolic).size() == 1, "where the bend is slight enough, a line");
+  parabolic->SetSteepness(1.1 * steepness);
+  check(ExtractLines(bump.Mesh, parabolic).empty(), "on a stronger bend none");
   return check.GetResult();
 }
