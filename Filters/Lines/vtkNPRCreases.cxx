@@ -19,6 +19,10 @@ using Index = npr::TriangleMesh::Index;
 /// The cosine of the angle between the sides of a fold, of which nothing is seen but the outline.
 constexpr double FoldedFlat = -0.9994; // 178 degrees
 
+/// How many times further a crease must turn the surface, too. Where it does not, it is a wrinkle
+/// or a step that is too low to be seen.
+constexpr double WiderView = 5.0;
+
 /// A triangle with one of its half-edges as the x axis, its third corner above it.
 struct Flat
 {
@@ -141,10 +145,14 @@ void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::Li
       };
       // The triangles must meet at the angle, too: else each edge of a sliver beside a crease would
       // be one.
+      const auto isSharpWithin = [&](double reach, double least)
+      {
+        return isSharp(
+          GetSideNormal(surface, side[0], reach), GetSideNormal(surface, side[1], reach), least);
+      };
       accepted = isSharp(Flat(surface, side[0]).Normal, Flat(surface, side[1]).Normal, -2.0) &&
         (distance == 0.0 ||
-          isSharp(GetSideNormal(surface, side[0], distance),
-            GetSideNormal(surface, side[1], distance), FoldedFlat));
+          (isSharpWithin(distance, FoldedFlat) && isSharpWithin(WiderView * distance, -2.0)));
     }
     strength[i - begin] = accepted ? 1.0f : 0.0f;
   }

@@ -206,6 +206,15 @@ void TestTolerance(Checks& check)
     "the rim of a plate is no more than its edges");
   auto thick = MakeProfile({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.1 }, { 0.0, 0.1 } });
   check(ExtractCreases(thick, usual, check).size() == 2, "a thick plate has two edges");
+  // A slope that is wider than the tolerance, but not much.
+  for (const double height : { 0.003, 0.1 })
+  {
+    auto step =
+      MakeProfile({ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0 + height, height }, { 2.0, height } });
+    const auto chains = ExtractCreases(step, usual, check);
+    check(chains.size() == (height < 0.01 ? 0 : 2), "a step must be high enough to be seen",
+      static_cast<double>(chains.size()));
+  }
   // A bend of 12 degrees a facet.
   std::vector<std::array<double, 2>> bend;
   for (int i = 0; i <= 15; ++i)
