@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprEdgePieces.h"
 
-#include "nprEdgeFans.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkSMPTools.h>
@@ -21,18 +20,23 @@ using Index = TriangleMesh::Index;
 
 // Large enough that a virtual call a block costs nothing, small enough to balance the threads.
 constexpr vtkIdType EdgesOfBlock = 4096;
+constexpr vtkIdType RowsOfBlock = 64;
+// Few enough that most rows are on one side of the outline.
+constexpr Index TrianglesOfRow = 32;
 
-// Appends what add(begin, end, pieces) finds, in the order of the edges.
+// Appends what add(begin, end, pieces) finds, in the order of the elements.
 template<typename Add>
-void AddInBlocks(vtkIdType size, std::vector<LinePiece>& pieces, const Add& add)
+void AddInBlocks(
+  vtkIdType size, vtkIdType sizeOfBlock, std::vector<LinePiece>& pieces, const Add& add)
 {
-  std::vector<std::vector<LinePiece>> blocks((size + EdgesOfBlock - 1) / EdgesOfBlock);
+  std::vector<std::vector<LinePiece>> blocks((size + sizeOfBlock - 1) / sizeOfBlock);
   vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 1,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType block = first; block < last; ++block)
       {
-        add(block * EdgesOfBlock, std::min(size, (block + 1) * EdgesOfBlock), blocks[block]);
+        add(static_cast<Index>(block * sizeOfBlock),
+          static_cast<Index>(std::min(size, (block + 1) * sizeOfBlock)), blocks[block]);
       }
     });
   for (const std::vector<LinePiece>& block : blocks)
@@ -51,21 +55,6 @@ void DropOthers(const LineSurface& surface, std::vector<LinePiece>& pieces)
                    { return !surface.IsOwned(piece.Sides, piece.SidesEnd); }),
       pieces.end());
   }
-}
-
-// What a definition says of triangles; nothing where it only looks at edges.
-std::vector<signed char> EvaluateTriangles(
-  const LineSurface& surface, const vtkNPRLineDefinition& definition, const LineView& view)
-{
-  std::vector<signed char> values;
-  if (definition.ComparesTriangles())
-  {
-    values.resize(surface.GetMesh().GetNumberOfTriangles());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), EdgesOfBlock,
-      [&](vtkIdType begin, vtkIdType end)
-      { definition.EvaluateTriangles(surface, view, begin, end, values.data()); });
-  }
-  return values;
 }
 
 LinePiece GetWholeEdge(
@@ -166,12 +155,12 @@ void AddJumpPieces(
 {
   const EdgeList& seams = surface.GetSeams();
   std::vector<LinePiece> found;
-  AddInBlocks(seams.GetNumberOfEdges(), found,
-    [&](vtkIdType first, vtkIdType last, std::vector<LinePiece>& jumps)
+  AddInBlocks(seams.GetNumberOfEdges(), EdgesOfBlock, found,
+    [&](Index first, Index last, std::vector<LinePiece>& jumps)
     {
       std::vector<Side> sides;
       std::vector<Place> places;
-      for (Index edge = static_cast<Index>(first); edge < last; ++edge)
+      for (Index edge = first; edge < last; ++edge)
       {
         const Index* begin = seams.Begin(edge);
         const Index* end = seams.End(edge);
@@ -191,55 +180,149 @@ void AddJumpPieces(
 }
 
 //------------------------------------------------------------------------------
-void AddEdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& definition,
-  const LineView& view, std::vector<LinePiece>& pieces)
+EdgePieces::EdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& definition)
+  : Surface(surface), Definition(definition), Fans(surface)
 {
-  const vtkNPRLineDefinition::EdgeKind kind = definition.GetEdges();
+  if (definition.ComparesTriangles())
+  {
+    this->BuildRows();
+  }
+}
+
+//------------------------------------------------------------------------------
+void EdgePieces::BuildRows()
+{
+  const TriangleMesh& mesh = this->Surface.GetMesh();
+  const EdgeList& edges = this->Surface.GetInnerEdges();
+  const Index size = mesh.GetNumberOfTriangles();
+  this->Values.resize(size);
+  this->Rows.reserve((size + TrianglesOfRow - 1) / TrianglesOfRow);
+  this->RowValues.resize(this->Rows.capacity());
+  Index edge = 0;
+  for (Index begin = 0; begin < size; begin += TrianglesOfRow)
+  {
+    const Index end = std::min(size, begin + TrianglesOfRow);
+    const auto first = static_cast<std::ptrdiff_t>(this->Neighbours.size());
+    for (; edge < edges.GetNumberOfEdges() && *edges.Begin(edge) < 3 * end; ++edge)
+    {
+      const Index row = edges.Begin(edge)[1] / 3 / TrianglesOfRow;
+      if (std::find(this->Neighbours.begin() + first, this->Neighbours.end(), row) ==
+        this->Neighbours.end())
+      {
+        this->Neighbours.push_back(row);
+      }
+    }
+    this->Rows.push_back({ PlaneBounds(mesh, begin, end), edge, this->Neighbours.size() });
+  }
+}
+
+//------------------------------------------------------------------------------
+void EdgePieces::EvaluateTriangles(const LineView& view)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Rows.size()), RowsOfBlock,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        const vtkIdType begin = row * TrianglesOfRow;
+        const vtkIdType end =
+          std::min(begin + TrianglesOfRow, static_cast<vtkIdType>(this->Values.size()));
+        const signed char value = this->Definition.BoundTriangles(this->Rows[row].Planes, view);
+        this->RowValues[row] = value;
+        if (value == vtkNPRLineDefinition::MixedTriangles)
+        {
+          this->Definition.EvaluateTriangles(this->Surface, view, begin, end, this->Values.data());
+        }
+        else
+        {
+          std::fill(this->Values.begin() + begin, this->Values.begin() + end, value);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Whether the triangles of a row and those beyond its edges are all known to have one value.
+bool EdgePieces::HasOneValue(Index row) const
+{
+  const signed char value = this->RowValues[row];
+  const auto begin = this->Neighbours.begin() + (row == 0 ? 0 : this->Rows[row - 1].NeighboursEnd);
+  return value != vtkNPRLineDefinition::MixedTriangles &&
+    std::all_of(begin, this->Neighbours.begin() + this->Rows[row].NeighboursEnd,
+      [&](Index neighbour) { return this->RowValues[neighbour] == value; });
+}
+
+//------------------------------------------------------------------------------
+void EdgePieces::AddSpan(const LineView& view, const EdgeList& edges, Index begin, Index end,
+  std::vector<LinePiece>& accepted) const
+{
+  std::array<float, EdgesOfBlock> strength;
+  std::fill_n(strength.begin(), end - begin, 0.0f);
+  if (this->Definition.ComparesTriangles())
+  {
+    this->Definition.CompareTriangles(
+      this->Surface, edges, begin, end, this->Values.data(), strength.data());
+  }
+  else
+  {
+    this->Definition.EvaluateEdges(this->Surface, view, edges, begin, end, strength.data());
+  }
+  for (Index edge = begin; edge < end; ++edge)
+  {
+    // False where the strength is not a number.
+    if (std::abs(strength[edge - begin]) > 0.0f)
+    {
+      accepted.push_back(
+        GetWholeEdge(this->Surface, edges.Begin(edge), edges.End(edge), strength[edge - begin]));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void EdgePieces::Add(const LineView& view, std::vector<LinePiece>& pieces)
+{
+  const vtkNPRLineDefinition::EdgeKind kind = this->Definition.GetEdges();
   if (kind == vtkNPRLineDefinition::NoEdges)
   {
     return;
   }
-  const std::vector<signed char> values = EvaluateTriangles(surface, definition, view);
-  std::vector<LinePiece> found;
-  const auto add = [&](const EdgeList& edges)
+  this->EvaluateTriangles(view);
+  this->Found.clear();
+  const auto addAll = [&](const EdgeList& edges)
   {
-    AddInBlocks(edges.GetNumberOfEdges(), found,
-      [&](vtkIdType begin, vtkIdType end, std::vector<LinePiece>& accepted)
+    AddInBlocks(edges.GetNumberOfEdges(), EdgesOfBlock, this->Found,
+      [&](Index begin, Index end, std::vector<LinePiece>& accepted)
+      { this->AddSpan(view, edges, begin, end, accepted); });
+  };
+  addAll(this->Surface.GetSeams());
+  if (kind == vtkNPRLineDefinition::AllEdges && this->Rows.empty())
+  {
+    addAll(this->Surface.GetInnerEdges());
+  }
+  else if (kind == vtkNPRLineDefinition::AllEdges)
+  {
+    AddInBlocks(static_cast<vtkIdType>(this->Rows.size()), RowsOfBlock, this->Found,
+      [&](Index first, Index last, std::vector<LinePiece>& accepted)
       {
-        std::vector<float> strength(end - begin, 0.0f);
-        if (definition.ComparesTriangles())
+        for (Index row = first; row < last; ++row)
         {
-          definition.CompareTriangles(surface, edges, begin, end, values.data(), strength.data());
-        }
-        else
-        {
-          definition.EvaluateEdges(surface, view, edges, begin, end, strength.data());
-        }
-        for (Index edge = static_cast<Index>(begin); edge < end; ++edge)
-        {
-          // False where the strength is not a number.
-          if (std::abs(strength[edge - begin]) > 0.0f)
+          if (!this->HasOneValue(row))
           {
-            accepted.push_back(
-              GetWholeEdge(surface, edges.Begin(edge), edges.End(edge), strength[edge - begin]));
+            this->AddSpan(view, this->Surface.GetInnerEdges(),
+              row == 0 ? 0 : this->Rows[row - 1].EdgesEnd, this->Rows[row].EdgesEnd, accepted);
           }
         }
       });
-  };
-  add(surface.GetSeams());
-  if (kind == vtkNPRLineDefinition::AllEdges)
-  {
-    add(surface.GetInnerEdges());
   }
-  if (definition.GetLeastRow() > 1.0)
+  if (this->Definition.GetLeastRow() > 1.0)
   {
-    DropShortRows(surface, definition.GetLeastRow(), found);
+    DropShortRows(this->Surface, this->Definition.GetLeastRow(), this->Found);
   }
-  if (definition.ComparesTriangles())
+  if (this->Definition.ComparesTriangles())
   {
-    EdgeFans(surface).Join(values, found);
+    this->Fans.Join(this->Values, this->Found);
   }
-  DropOthers(surface, found);
-  pieces.insert(pieces.end(), found.begin(), found.end());
+  DropOthers(this->Surface, this->Found);
+  pieces.insert(pieces.end(), this->Found.begin(), this->Found.end());
 }
 }

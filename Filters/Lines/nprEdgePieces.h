@@ -7,8 +7,10 @@
 #ifndef nprEdgePieces_h
 #define nprEdgePieces_h
 
+#include "nprEdgeFans.h"
 #include "nprFieldValues.h"
 #include "nprLineSegments.h"
+#include "nprPlaneBounds.h"
 #include "vtkNPRFiltersLinesModule.h"
 
 #include <vector>
@@ -23,9 +25,44 @@ namespace npr
 VTKNPRFILTERSLINES_EXPORT void AddJumpPieces(
   const LineSurface& surface, const FieldValues& values, std::vector<LinePiece>& pieces);
 
-/// Appends the edges that a definition accepts.
-VTKNPRFILTERSLINES_EXPORT void AddEdgePieces(const LineSurface& surface,
-  const vtkNPRLineDefinition& definition, const LineView& view, std::vector<LinePiece>& pieces);
+/**
+ * @class EdgePieces
+ * @brief Finds the edges that a definition accepts. Keeps its memory from one call to the next.
+ */
+class VTKNPRFILTERSLINES_EXPORT EdgePieces
+{
+public:
+  using Index = TriangleMesh::Index;
+
+  /// Both must outlive this. The surface has built its inner edges if the definition wants them.
+  EdgePieces(const LineSurface& surface, const vtkNPRLineDefinition& definition);
+
+  void Add(const LineView& view, std::vector<LinePiece>& pieces);
+
+private:
+  /// A row of triangles that a view may have no edges between.
+  struct Row
+  {
+    PlaneBounds Planes;
+    Index EdgesEnd;            // of its inner edges, by their first triangles
+    std::size_t NeighboursEnd; // of the other rows that these edges lead to
+  };
+  void BuildRows();
+  void EvaluateTriangles(const LineView& view);
+  bool HasOneValue(Index row) const;
+  void AddSpan(const LineView& view, const EdgeList& edges, Index begin, Index end,
+    std::vector<LinePiece>& accepted) const;
+
+  const LineSurface& Surface;
+  const vtkNPRLineDefinition& Definition;
+  // Where the definition compares triangles:
+  std::vector<Row> Rows;
+  std::vector<Index> Neighbours;
+  std::vector<signed char> RowValues;
+  std::vector<signed char> Values; // of the triangles
+  EdgeFans Fans;
+  std::vector<LinePiece> Found;
+};
 }
 
 #endif

@@ -38,7 +38,8 @@ void ForEach(Elements& elements, const Work& work)
 //------------------------------------------------------------------------------
 LineExtractor::LineExtractor(
   const LineSurface& surface, const LineClusters& clusters, const vtkNPRLineDefinition& definition)
-  : Surface(surface), Clusters(clusters), Definition(definition), Levels({ 0.0f })
+  : Surface(surface), Clusters(clusters), Definition(definition), Levels({ 0.0f }),
+    Edges(std::make_unique<EdgePieces>(surface, definition))
 {
   if (!definition.HasField())
   {
@@ -123,8 +124,11 @@ void LineExtractor::Extract(
       AddJumpPieces(this->Surface, values, segments.Pieces);
     }
   }
-  AddEdgePieces(this->Surface, this->Definition, view, segments.Pieces);
-  RemoveDoubles(this->Surface, segments);
+  this->Edges->Add(view, segments.Pieces);
+  if (this->Definition.HasField())
+  {
+    RemoveDoubles(this->Surface, segments);
+  }
 }
 
 //------------------------------------------------------------------------------

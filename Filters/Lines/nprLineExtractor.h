@@ -17,6 +17,8 @@ class vtkNPRLineDefinition;
 
 namespace npr
 {
+class EdgePieces;
+
 /// How triangles with lines are found. The first two find the same lines, to the last bit.
 enum class LineStrategy
 {
@@ -96,6 +98,7 @@ private:
   std::vector<Index> CandidateOffsets; ///< for each cluster
   std::vector<Part> Parts;
   std::unique_ptr<RandomSeeds> Seeds;
+  std::unique_ptr<EdgePieces> Edges;
 };
 }
 

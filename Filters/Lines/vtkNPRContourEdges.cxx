@@ -2,30 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRContourEdges.h"
 
-#include <vtkObjectFactory.h>
+#include "nprPlaneBounds.h"
 
-#include <Eigen/Geometry>
+#include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkNPRContourEdges);
 
 namespace
 {
 using Index = npr::TriangleMesh::Index;
-
-/// Differences of floats are exact in double precision, and so is all else while coordinates are
-/// small whole numbers.
-struct Plane
-{
-  Plane(const npr::TriangleMesh& mesh, vtkIdType triangle)
-  {
-    const npr::TriangleMesh::Triangle& c = mesh.GetTriangle(static_cast<Index>(triangle));
-    this->Corner = mesh.GetPoint(c[0]).cast<double>();
-    this->Normal = (mesh.GetPoint(c[1]).cast<double>() - this->Corner)
-                     .cross(mesh.GetPoint(c[2]).cast<double>() - this->Corner);
-  }
-  Eigen::Vector3d Corner;
-  Eigen::Vector3d Normal;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -39,7 +24,7 @@ void vtkNPRContourEdges::EvaluateTriangles(const npr::LineSurface& surface,
   {
     for (vtkIdType t = begin; t < end; ++t)
     {
-      const Plane plane(mesh, t);
+      const npr::TrianglePlane plane(mesh, static_cast<Index>(t));
       values[t] = plane.Normal.dot(eye - plane.Corner) >= 0.0;
     }
     return;
@@ -49,9 +34,17 @@ void vtkNPRContourEdges::EvaluateTriangles(const npr::LineSurface& surface,
   constexpr double rounding = 1.0 / (1 << 24);
   for (vtkIdType t = begin; t < end; ++t)
   {
-    const Eigen::Vector3d normal = Plane(mesh, t).Normal;
+    const Eigen::Vector3d normal = npr::TrianglePlane(mesh, static_cast<Index>(t)).Normal;
     values[t] = normal.dot(eye) >= -rounding * normal.lpNorm<1>();
   }
+}
+
+//------------------------------------------------------------------------------
+signed char vtkNPRContourEdges::BoundTriangles(
+  const npr::PlaneBounds& planes, const npr::LineView& view) const
+{
+  const auto [low, high] = planes.GetRange(view);
+  return low > 0.0 ? 1 : high < 0.0 ? 0 : MixedTriangles;
 }
 
 //------------------------------------------------------------------------------

@@ -56,6 +56,8 @@ public:
   }
   void EvaluateTriangles(const npr::LineSurface& surface, const npr::LineView& view,
     vtkIdType begin, vtkIdType end, signed char* values) const override;
+  signed char BoundTriangles(
+    const npr::PlaneBounds& planes, const npr::LineView& view) const override;
   void CompareTriangles(const npr::LineSurface& surface, const npr::EdgeList& edges,
     vtkIdType begin, vtkIdType end, const signed char* values, float* strength) const override;
 #endif

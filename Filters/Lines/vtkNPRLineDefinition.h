@@ -31,6 +31,10 @@
 
 #ifndef __VTK_WRAP__
 #include "nprLineSurface.h"
+namespace npr
+{
+class PlaneBounds;
+}
 #endif
 
 #include <array>
@@ -268,6 +272,15 @@ public:
   /// at a time.
   virtual void EvaluateTriangles(const npr::LineSurface& surface, const npr::LineView& view,
     vtkIdType begin, vtkIdType end, signed char* values) const;
+  /// What BoundTriangles() says where triangles may have several values.
+  static constexpr signed char MixedTriangles = -1;
+  /// The value that EvaluateTriangles() finds for all triangles whose planes are within bounds.
+  /// Edges between triangles of one value that is found so are not looked at: CompareTriangles()
+  /// must leave them out.
+  virtual signed char BoundTriangles(const npr::PlaneBounds&, const npr::LineView&) const
+  {
+    return MixedTriangles;
+  }
   /// As EvaluateEdges(); values are those of all triangles.
   virtual void CompareTriangles(const npr::LineSurface& surface, const npr::EdgeList& edges,
     vtkIdType begin, vtkIdType end, const signed char* values, float* strength) const;
