@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace npr
 {
@@ -20,13 +19,14 @@ CrossingMaker::CrossingMaker(
 }
 
 //------------------------------------------------------------------------------
-void CrossingMaker::Add(Index triangle, std::vector<LineCrossing>& crossings) const
+void CrossingMaker::Add(const CrossedTriangle& crossed, std::vector<LineCrossing>& crossings) const
 {
   if (this->Values.GetAxes())
   {
-    this->AddByAxes(triangle, crossings);
+    this->AddByAxes(crossed, crossings);
     return;
   }
+  const Index triangle = crossed.Triangle;
   const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
   const FieldValues::Side* const sides = this->Values.GetSides();
   const std::size_t low = std::min({ sides[c[0]], sides[c[1]], sides[c[2]] });
@@ -41,76 +41,71 @@ void CrossingMaker::Add(Index triangle, std::vector<LineCrossing>& crossings) co
 void CrossingMaker::AddAtLevel(
   Index triangle, std::size_t level, std::vector<LineCrossing>& crossings) const
 {
-  constexpr int next[4] = { 1, 2, 0, 1 };
+  // Which corners are above is as good as random, so that branches would be slow. With bit i for
+  // corner i: the edge that leads from above to below, and the one that leads back. From the first
+  // to the second, what is above is on the left.
+  struct Way
+  {
+    int Down;
+    int Up;
+  };
+  constexpr std::array<Way, 8> ways = { { { 0, 0 }, { 0, 2 }, { 1, 0 }, { 1, 2 }, { 2, 1 },
+    { 0, 1 }, { 2, 0 }, { 0, 0 } } };
+  constexpr std::array<int, 3> next = { 1, 2, 0 };
   const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
   const FieldValues::Side* const sides = this->Values.GetSides();
   const double value = this->Levels[level];
-  std::array<bool, 3> isAbove;
+  std::size_t above = 0;
   std::array<double, 3> distance;
   for (int i = 0; i < 3; ++i)
   {
-    isAbove[i] = sides[c[i]] > level;
+    above |= std::size_t(sides[c[i]] > level) << i;
     distance[i] = std::abs(this->Values[c[i]] - value);
   }
-  // One corner is alone on its side. The line leaves by the edge after it if it is above, and else
-  // by the edge before it: so what is above is on the left.
-  const int alone = isAbove[0] == isAbove[1] ? 2 : isAbove[0] == isAbove[2] ? 1 : 0;
-  const int after = next[alone];
-  const int before = next[alone + 1];
-  const auto divide = [](double from, double to) { return static_cast<float>(from / (from + to)); };
+  const auto [down, up] = ways[above];
+  // Always from the end above.
+  const auto divide = [&](int from, int to)
+  { return static_cast<float>(distance[from] / (distance[from] + distance[to])); };
   LineCrossing crossing;
   crossing.Triangle = triangle;
   crossing.Level = static_cast<std::uint16_t>(level);
   crossing.Test = { 1.0f, 1.0f };
-  if (isAbove[alone])
-  {
-    crossing.Places = { static_cast<std::uint8_t>(alone),
-      static_cast<std::uint8_t>(before | LineCrossing::Reversed) };
-    crossing.T = { divide(distance[alone], distance[after]),
-      divide(distance[alone], distance[before]) };
-  }
-  else
-  {
-    crossing.Places = { static_cast<std::uint8_t>(before),
-      static_cast<std::uint8_t>(alone | LineCrossing::Reversed) };
-    crossing.T = { divide(distance[before], distance[alone]),
-      divide(distance[after], distance[alone]) };
-  }
+  crossing.Places = { static_cast<std::uint8_t>(down),
+    static_cast<std::uint8_t>(up | LineCrossing::Reversed) };
+  crossing.T = { divide(down, next[down]), divide(next[up], up) };
   // From a vertex to itself is no line.
   if (crossing.T[0] != 0.0f || crossing.T[1] != 0.0f ||
-    (!isAbove[alone] && this->Surface.GetWelded(c[before]) != this->Surface.GetWelded(c[after])))
+    this->Surface.GetWelded(c[down]) != this->Surface.GetWelded(c[next[up]]))
   {
     crossings.push_back(crossing);
   }
 }
 
 //------------------------------------------------------------------------------
-void CrossingMaker::AddByAxes(Index triangle, std::vector<LineCrossing>& crossings) const
+void CrossingMaker::AddByAxes(
+  const CrossedTriangle& crossed, std::vector<LineCrossing>& crossings) const
 {
-  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-  const auto rank = [this](Index point)
-  { return std::make_pair(std::abs(this->Values[point]), this->Surface.GetWelded(point)); };
+  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(crossed.Triangle);
   LineCrossing crossing;
-  crossing.Triangle = triangle;
+  crossing.Triangle = crossed.Triangle;
   crossing.Level = 0;
   crossing.Test = { 1.0f, 1.0f };
   std::array<Index, 2> vertices = { -1, -1 };
-  int found = 0;
-  for (int e = 0; e < 3; ++e)
+  const std::array<int, 2> edges = { (crossed.Edges & 1u) != 0 ? 0 : 1,
+    (crossed.Edges & 4u) != 0 ? 2 : 1 };
+  for (int n = 0; n < 2; ++n)
   {
-    if (!this->Values.GetAxes()->IsCrossed(3 * triangle + e, this->Values.Get()))
-    {
-      continue;
-    }
-    const int n = found++;
+    const int e = edges[n];
     const Index start = c[e];
     const Index stop = c[e == 2 ? 0 : e + 1];
-    const bool isReversed = rank(stop) < rank(start);
-    const double from = std::abs(double(this->Values[isReversed ? stop : start]));
-    const double sum = from + std::abs(double(this->Values[isReversed ? start : stop]));
+    const double atStart = std::abs(double(this->Values[start]));
+    const double atStop = std::abs(double(this->Values[stop]));
+    const bool isReversed = (atStop < atStart) |
+      (atStop == atStart && this->Surface.GetWelded(stop) < this->Surface.GetWelded(start));
+    const double sum = atStart + atStop;
     // Both ends are 0 only where axes turn against their order in space.
-    crossing.T[n] = sum > 0.0 ? static_cast<float>(from / sum) : 0.5f;
-    crossing.Places[n] = static_cast<std::uint8_t>(e + (isReversed ? LineCrossing::Reversed : 0));
+    crossing.T[n] = sum > 0.0 ? static_cast<float>(std::min(atStart, atStop) / sum) : 0.5f;
+    crossing.Places[n] = static_cast<std::uint8_t>(e | (isReversed ? LineCrossing::Reversed : 0));
     if (crossing.T[n] == 0.0f)
     {
       vertices[n] = this->Surface.GetWelded(isReversed ? stop : start);

@@ -14,6 +14,13 @@ class vtkNPRLineDefinition;
 
 namespace npr
 {
+/// A triangle that a line runs through.
+struct CrossedTriangle
+{
+  TriangleMesh::Index Triangle;
+  unsigned int Edges; ///< where the field has axes, those that are crossed: bit e for edge e
+};
+
 /**
  * @class CrossingMaker
  * @brief Finds where lines enter and leave triangles that are known to have some.
@@ -35,12 +42,12 @@ public:
   bool MayBeAccepted(Index triangle) const
   {
     const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-    return this->Values.GetTest(c[0]) > 0.0f || this->Values.GetTest(c[1]) > 0.0f ||
-      this->Values.GetTest(c[2]) > 0.0f;
+    return (this->Values.GetTest(c[0]) > 0.0f) | (this->Values.GetTest(c[1]) > 0.0f) |
+      (this->Values.GetTest(c[2]) > 0.0f);
   }
 
   /// Appends those of a triangle, the lowest level first.
-  void Add(Index triangle, std::vector<LineCrossing>& crossings) const;
+  void Add(const CrossedTriangle& crossed, std::vector<LineCrossing>& crossings) const;
 
   /// Moves crossings to where the cubics with the slopes of the field at the ends of edges are 0.
   void UseSlopes(const vtkNPRLineDefinition& definition, const LineView& view,
@@ -51,7 +58,7 @@ public:
 
 private:
   void AddAtLevel(Index triangle, std::size_t level, std::vector<LineCrossing>& crossings) const;
-  void AddByAxes(Index triangle, std::vector<LineCrossing>& crossings) const;
+  void AddByAxes(const CrossedTriangle& crossed, std::vector<LineCrossing>& crossings) const;
 
   const LineSurface& Surface;
   const std::vector<float>& Levels;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprFieldAxes.h"
 
-#include "nprArrayNames.h"
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -13,60 +14,35 @@ namespace
 {
 // Of three neighbours, two of them ten degrees off the line through the third.
 constexpr double LeastDeterminant = 0.03;
-}
 
-//------------------------------------------------------------------------------
-FieldAxes::FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes, bool even)
-  : Surface(surface), Even(even), Axes(axes)
+Eigen::Vector3f ToEigen(const std::array<float, 3>& vector)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Normals[i] = surface.GetComponent(names::Normals, i);
-  }
+  return { vector[0], vector[1], vector[2] };
+}
 }
 
 //------------------------------------------------------------------------------
-bool FieldAxes::IsForward(Index point) const
+float FieldAxes::MoveOff(float value, const std::array<float, 3>& axis, bool even)
 {
-  for (const float* component : this->Axes)
+  if (value != 0.0f)
   {
-    if (component[point] != 0.0f)
-    {
-      return component[point] > 0.0f;
-    }
+    return value;
   }
-  return true;
+  constexpr float slightly = std::numeric_limits<float>::min();
+  const auto component =
+    std::find_if(axis.begin(), axis.end(), [](float number) { return number != 0.0f; });
+  return even || component == axis.end() || *component > 0.0f ? slightly : -slightly;
 }
 
 //------------------------------------------------------------------------------
-int FieldAxes::GetTurn(Index a, Index b, float cosine) const
-{
-  float normals = 0.0f;
-  float fromA = 0.0f;
-  float fromB = 0.0f;
-  for (int i = 0; i < 3; ++i)
-  {
-    normals += this->Normals[i][a] * this->Normals[i][b];
-    fromA += this->Axes[i][a] * this->Normals[i][b];
-    fromB += this->Axes[i][b] * this->Normals[i][a];
-  }
-  if (normals < 0.0f)
-  {
-    return 0;
-  }
-  // The cosine after the shortest turn from one tangent plane to the other, in closed form. Both
-  // ways round alike, for nothing here depends on the order of the points.
-  const float turned = cosine - fromA * fromB / (1.0f + normals);
-  return turned > LeastCosine ? 1 : turned < -LeastCosine ? -1 : 0;
-}
-
-//------------------------------------------------------------------------------
-float FieldAxes::ComputeFall(Index point, const float* field) const
+float FieldAxes::ComputeFall(Index point) const
 {
   // The gradient that explains best how much the field rises to each neighbour, by its distance.
   const TriangleMesh& mesh = this->Surface.GetMesh();
-  const Eigen::Vector3f axis = this->GetAxis(point);
-  const Eigen::Vector3f across = this->GetNormal(point).cross(axis);
+  const AxisPoint& here = this->Points[point];
+  const Eigen::Vector3f place = mesh.GetPoint(point);
+  const Eigen::Vector3f axis = ToEigen(here.Axis);
+  const Eigen::Vector3f across = ToEigen(here.Normal).cross(axis);
   // In double precision, so that the order of the neighbours does not show.
   double xx = 0.0;
   double xy = 0.0;
@@ -75,20 +51,21 @@ float FieldAxes::ComputeFall(Index point, const float* field) const
   double ry = 0.0;
   const auto add = [&](Index neighbour)
   {
-    const int turn = this->GetTurn(point, neighbour);
-    const Eigen::Vector3f edge = mesh.GetPoint(neighbour) - mesh.GetPoint(point);
+    const AxisPoint& there = this->Points[neighbour];
+    const Relation relation = Compare(here, there);
+    const Eigen::Vector3f edge = mesh.GetPoint(neighbour) - place;
     const float square = edge.squaredNorm();
-    if (turn == 0 || !(square > 0.0f))
+    if (!relation.AreComparable || !(square > 0.0f))
     {
       return;
     }
-    const float perLength = 1.0f / std::sqrt(square);
-    const double x = edge.dot(axis) * perLength;
-    const double y = edge.dot(across) * perLength;
-    const double rise = (field[neighbour] * turn - field[point]) * perLength;
-    xx += x * x;
-    xy += x * y;
-    yy += y * y;
+    const double x = edge.dot(axis);
+    const double y = edge.dot(across);
+    const double weight = 1.0 / square;
+    const double rise = weight * (Turn(there.Field, relation.Cosine) - here.Field);
+    xx += weight * x * x;
+    xy += weight * x * y;
+    yy += weight * y * y;
     rx += rise * x;
     ry += rise * y;
   };
@@ -97,9 +74,10 @@ float FieldAxes::ComputeFall(Index point, const float* field) const
     // The next corner of each triangle: around a point these are all neighbours, each once, but for
     // a last one at a seam.
     const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
-    const int here = c[0] == point ? 0 : c[1] == point ? 1 : 2;
-    const int last = here == 0 ? 2 : here - 1;
-    add(c[here == 2 ? 0 : here + 1]);
+    constexpr std::array<int, 5> ring = { 0, 1, 2, 0, 1 };
+    const int corner = (c[1] == point ? 1 : 0) + (c[2] == point ? 2 : 0);
+    const int last = ring[corner + 2];
+    add(c[ring[corner + 1]]);
     if (this->Surface.GetTwin(3 * *t + last) == LineSurface::NoTwin)
     {
       add(c[last]);

@@ -7,9 +7,19 @@
 #include "vtkNPRFiltersLinesModule.h"
 
 #include <array>
+#include <cmath>
 
 namespace npr
 {
+/// What edges compare of a point: side by side, for it is read together.
+struct alignas(32) AxisPoint
+{
+  std::array<float, 3> Axis; ///< a unit vector in the tangent plane, or 0 where there is none
+  float Field;               ///< never 0, see FieldAxes::MoveOff()
+  std::array<float, 3> Normal;
+  float Bound; ///< > 0 where, as far as is known without the test, a line may be
+};
+
 /**
  * @class FieldAxes
  * @brief The axes that the sign of a field belongs to, where these are known only up to their sign.
@@ -31,73 +41,88 @@ class VTKNPRFILTERSLINES_EXPORT FieldAxes
 public:
   using Index = TriangleMesh::Index;
 
-  /// \p axes are the components of unit vectors in the tangent planes at the points, or 0 where
-  /// there is none. They must outlive this, as must the surface, which has loaded its normals.
-  /// An \p even field keeps its sign when its axis is turned over: then all that counts is where
-  /// axes are not comparable.
-  FieldAxes(const LineSurface& surface, const std::array<const float*, 3>& axes, bool even = false);
-
-  /// 1 where the axes at two points point to the same side, -1 where they point to opposite ones, 0
-  /// where they are not comparable.
-  int GetTurn(Index a, Index b) const { return this->GetTurn(a, b, this->GetCosine(a, b)); }
-
-  /// On which side of its axis a point's value lies. A value of exactly 0 counts as if it lay
-  /// slightly off, always to the same side in space.
-  bool IsPositive(Index point, const float* field) const
+  /// Both must outlive this. An \p even field keeps its sign when its axis is turned over: then all
+  /// that counts is where axes are not comparable.
+  FieldAxes(const LineSurface& surface, const AxisPoint* points, bool even = false)
+    : Surface(surface), Points(points), Even(even)
   {
-    return field[point] > 0.0f || (field[point] == 0.0f && (this->Even || this->IsForward(point)));
   }
 
-  /// Whether the field changes its sign between the ends.
-  bool IsCrossed(Index halfEdge, const float* field) const
+  /// A value of exactly 0 counts as if it lay slightly off, always to the same side in space. Of an
+  /// even field that is the positive side.
+  static float MoveOff(float value, const std::array<float, 3>& axis, bool even);
+
+  /// The edges of a triangle along which the field changes its sign: bit e for edge e. 0 where, as
+  /// far as is known without the test, no line may be.
+  unsigned int FindCrossed(Index triangle) const
   {
-    const Index a = this->Surface.GetStart(halfEdge);
-    const Index b = this->Surface.GetEnd(halfEdge);
-    const bool same = this->IsPositive(a, field) == this->IsPositive(b, field);
-    if (this->Even)
-    {
-      return !same && this->GetTurn(a, b) != 0;
-    }
-    const float cosine = this->GetCosine(a, b);
-    // Few edges pass this, which needs no normals.
-    if ((same ? cosine : -cosine) > SureCosine)
-    {
-      return false;
-    }
-    const int turn = this->GetTurn(a, b, cosine);
-    return turn != 0 && same == (turn < 0);
+    // Signs are as good as random, so that branches would be slow.
+    const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
+    const AxisPoint& p0 = this->Points[c[0]];
+    const AxisPoint& p1 = this->Points[c[1]];
+    const AxisPoint& p2 = this->Points[c[2]];
+    const bool mayBe = (p0.Bound > 0.0f) | (p1.Bound > 0.0f) | (p2.Bound > 0.0f);
+    return mayBe && (MayCross(p0, p1) | MayCross(p1, p2) | MayCross(p2, p0))
+      ? this->IsCrossed(p0, p1) | this->IsCrossed(p1, p2) << 1 | this->IsCrossed(p2, p0) << 2
+      : 0u;
   }
+
+  /// Whether, as far as is known without the test, a line may be at a point.
+  bool MayBeAt(Index point) const { return this->Points[point].Bound > 0.0f; }
 
   /// How fast the field falls along the axis at a point: minus its derivative, from the values at
   /// the neighbours by least squares. 0 where too few have axes that are comparable.
-  float ComputeFall(Index point, const float* field) const;
+  float ComputeFall(Index point) const;
 
 private:
+  using Vector = std::array<float, 3>;
   // Of axes that are closer to parallel than to right angles.
   static constexpr float LeastCosine = 0.70710678f;
   // No turn by less than a right angle takes a cosine above this below -LeastCosine.
   static constexpr float SureCosine = 1.0f - LeastCosine;
 
-  bool IsForward(Index point) const;
-  int GetTurn(Index a, Index b, float cosine) const;
-  float GetCosine(Index a, Index b) const
+  static float Dot(const Vector& a, const Vector& b)
   {
-    return this->Axes[0][a] * this->Axes[0][b] + this->Axes[1][a] * this->Axes[1][b] +
-      this->Axes[2][a] * this->Axes[2][b];
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
-  Eigen::Vector3f GetNormal(Index point) const
+
+  /// A number, turned over where another is negative.
+  static float Turn(float number, float by) { return std::copysign(1.0f, by) * number; }
+
+  // False for most edges without a crossing, and needs no normals.
+  bool MayCross(const AxisPoint& a, const AxisPoint& b) const
   {
-    return { this->Normals[0][point], this->Normals[1][point], this->Normals[2][point] };
+    const float cosine = Dot(a.Axis, b.Axis);
+    return (Turn(Turn(cosine, a.Field), b.Field) <= SureCosine) | this->Even;
   }
-  Eigen::Vector3f GetAxis(Index point) const
+  /// How two axes are to each other.
+  struct Relation
   {
-    return { this->Axes[0][point], this->Axes[1][point], this->Axes[2][point] };
+    float Cosine; ///< of the angle between them, in one plane, times a positive number
+    bool AreComparable;
+  };
+  static Relation Compare(const AxisPoint& a, const AxisPoint& b)
+  {
+    // After the shortest turn from one tangent plane to the other, in closed form, times a scale.
+    // Both ways round alike, for nothing here depends on the order of the points.
+    const float normals = Dot(a.Normal, b.Normal);
+    const float scale = 1.0f + normals;
+    const float cosine =
+      Dot(a.Axis, b.Axis) * scale - Dot(a.Axis, b.Normal) * Dot(b.Axis, a.Normal);
+    return { cosine, normals >= 0.0f && std::abs(cosine) > LeastCosine * scale };
+  }
+
+  // 1 or 0.
+  unsigned int IsCrossed(const AxisPoint& a, const AxisPoint& b) const
+  {
+    const Relation relation = Compare(a, b);
+    const float turn = this->Even ? 1.0f : relation.Cosine;
+    return relation.AreComparable && Turn(Turn(a.Field, b.Field), turn) < 0.0f ? 1u : 0u;
   }
 
   const LineSurface& Surface;
+  const AxisPoint* const Points;
   const bool Even;
-  std::array<const float*, 3> Axes;
-  std::array<const float*, 3> Normals;
 };
 }
 

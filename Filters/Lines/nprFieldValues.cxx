@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprFieldValues.h"
 
+#include "nprArrayNames.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -21,11 +23,10 @@ constexpr TriangleMesh::Index BlocksOfSpan = 16;
 
 //------------------------------------------------------------------------------
 FieldValues::FieldValues(const LineSurface& surface, const LineClusters& clusters)
-  : Surface(surface), NumberOfPoints(surface.GetMesh().GetNumberOfPoints()),
+  : Surface(surface), Clusters(clusters), NumberOfPoints(surface.GetMesh().GetNumberOfPoints()),
     NumberOfBlocks(clusters.GetNumberOfBlocks()),
-    NumberOfParts((NumberOfPoints + PointsOfPart - 1) / PointsOfPart),
     Blocks(new std::atomic<unsigned char>[NumberOfBlocks] {}),
-    TestParts(new std::atomic<unsigned char>[NumberOfParts] {}),
+    TestBlocks(new std::atomic<unsigned char>[NumberOfBlocks] {}),
     TestPoints(new std::atomic<unsigned char>[NumberOfPoints] {}), Field(NumberOfPoints),
     Sides(NumberOfPoints), BlockSides(NumberOfBlocks), Test(NumberOfPoints)
 {
@@ -43,27 +44,11 @@ void FieldValues::Start(
     this->Blocks[block].store(0, std::memory_order_relaxed);
   }
   this->Axes.reset();
-  this->TestBounds.clear();
-  std::array<const float*, 3> axes;
-  for (int i = 0; i < 3; ++i)
-  {
-    if (definition.HasViewAxes())
-    {
-      this->ViewAxes[i].resize(this->NumberOfPoints);
-      axes[i] = this->ViewAxes[i].data();
-    }
-    else if (definition.GetAxes())
-    {
-      axes[i] = this->Surface.GetComponent(definition.GetAxes(), i);
-    }
-  }
-  if (definition.HasViewAxes())
-  {
-    this->TestBounds.resize(this->NumberOfPoints);
-  }
   if (definition.HasViewAxes() || definition.GetAxes())
   {
-    this->Axes = std::make_unique<FieldAxes>(this->Surface, axes, definition.HasEvenField());
+    this->AxisPoints.resize(this->NumberOfPoints);
+    this->Axes = std::make_unique<FieldAxes>(
+      this->Surface, this->AxisPoints.data(), definition.HasEvenField());
   }
 }
 
@@ -113,14 +98,16 @@ void FieldValues::EvaluateSpan(Index begin, Index end)
 {
   if (this->Definition->HasViewAxes())
   {
-    this->Definition->EvaluateFieldAndAxes(this->Surface, this->View, begin, end,
-      this->Field.data(),
-      { this->ViewAxes[0].data(), this->ViewAxes[1].data(), this->ViewAxes[2].data() },
-      this->TestBounds.data());
+    this->Definition->EvaluateFieldAndAxes(
+      this->Surface, this->View, begin, end, this->Field.data(), this->AxisPoints.data());
   }
   else
   {
     this->Definition->EvaluateField(this->Surface, this->View, begin, end, this->Field.data());
+  }
+  if (this->Axes)
+  {
+    this->SetAxes(begin, end);
   }
   const float* const field = this->Field.data();
   Side* const sides = this->Sides.data();
@@ -143,17 +130,41 @@ void FieldValues::EvaluateSpan(Index begin, Index end)
 }
 
 //------------------------------------------------------------------------------
+// Puts beside the axes what is compared with them.
+void FieldValues::SetAxes(Index begin, Index end)
+{
+  std::array<const float*, 3> normals;
+  std::array<const float*, 3> axes = { nullptr, nullptr, nullptr };
+  for (int c = 0; c < 3; ++c)
+  {
+    normals[c] = this->Surface.GetComponent(names::Normals, c);
+    if (!this->Definition->HasViewAxes())
+    {
+      axes[c] = this->Surface.GetComponent(this->Definition->GetAxes(), c);
+    }
+  }
+  const bool isEven = this->Definition->HasEvenField();
+  for (Index i = begin; i < end; ++i)
+  {
+    AxisPoint& point = this->AxisPoints[i];
+    point.Normal = { normals[0][i], normals[1][i], normals[2][i] };
+    if (axes[0])
+    {
+      point.Axis = { axes[0][i], axes[1][i], axes[2][i] };
+      point.Bound = 1.0f;
+    }
+    point.Field = FieldAxes::MoveOff(this->Field[i], point.Axis, isEven);
+  }
+}
+
+//------------------------------------------------------------------------------
 void FieldValues::SetBlockSide(Index begin, Index end)
 {
   bool isMixed = false;
-  if (!this->TestBounds.empty())
+  if (this->Axes)
   {
-    isMixed = std::any_of(this->TestBounds.begin() + begin, this->TestBounds.begin() + end,
-      [](float bound) { return bound > 0.0f; });
-  }
-  else if (this->Axes)
-  {
-    isMixed = true;
+    isMixed = std::any_of(this->AxisPoints.begin() + begin, this->AxisPoints.begin() + end,
+      [](const AxisPoint& point) { return point.Bound > 0.0f; });
   }
   else
   {
@@ -165,33 +176,25 @@ void FieldValues::SetBlockSide(Index begin, Index end)
     isMixed = differences != 0;
   }
   this->BlockSides[begin / LineClusters::PointsOfBlock] = isMixed ? Mixed
-    : this->TestBounds.empty()                                    ? this->Sides[begin]
-                                                                  : Side(0);
+    : this->Axes                                                  ? Side(0)
+                                                                  : this->Sides[begin];
 }
 
 //------------------------------------------------------------------------------
 // The fall to a maximum is measured in the triangles around a point.
 void FieldValues::RequireAroundTests()
 {
-  const TriangleMesh& mesh = this->Surface.GetMesh();
-  vtkSMPTools::For(0, this->NumberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
+  for (Index block = 0; block < this->NumberOfBlocks; ++block)
+  {
+    if (this->TestBlocks[block].load(std::memory_order_relaxed) != 0)
     {
-      for (Index point = static_cast<Index>(begin); point < end; ++point)
+      for (const Index* near = this->Clusters.BlocksAroundBegin(block);
+           near != this->Clusters.BlocksAroundEnd(block); ++near)
       {
-        if (this->TestPoints[point].load(std::memory_order_relaxed) == 0)
-        {
-          continue;
-        }
-        for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
-        {
-          for (const Index corner : mesh.GetTriangle(*t))
-          {
-            this->Require(corner / LineClusters::PointsOfBlock);
-          }
-        }
+        this->Require(*near);
       }
-    });
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -202,49 +205,65 @@ void FieldValues::EvaluateTests()
     this->RequireAroundTests();
     this->Evaluate();
   }
-  vtkSMPTools::For(0, this->NumberOfParts,
+  vtkSMPTools::For(0, (this->NumberOfBlocks + BlocksOfSpan - 1) / BlocksOfSpan,
     [this](vtkIdType begin, vtkIdType end)
     {
       std::vector<Index> points;
-      std::vector<float> fall;
-      std::vector<float> test;
-      for (Index part = static_cast<Index>(begin); part < end; ++part)
+      for (Index span = static_cast<Index>(begin); span < end; ++span)
       {
-        if (this->TestParts[part].load(std::memory_order_relaxed) == 0)
-        {
-          continue;
-        }
-        this->TestParts[part].store(0, std::memory_order_relaxed);
         points.clear();
-        const Index last = std::min((part + 1) * PointsOfPart, this->NumberOfPoints);
-        for (Index point = part * PointsOfPart; point < last; ++point)
+        const Index last = std::min((span + 1) * BlocksOfSpan, this->NumberOfBlocks);
+        for (Index block = span * BlocksOfSpan; block < last; ++block)
         {
-          if (this->TestPoints[point].load(std::memory_order_relaxed) != 0)
-          {
-            this->TestPoints[point].store(0, std::memory_order_relaxed);
-            points.push_back(point);
-          }
+          this->TakeTestPoints(block, points);
         }
-        const vtkIdType count = static_cast<vtkIdType>(points.size());
-        test.resize(points.size());
-        const bool isMaximum = this->Axes && this->Definition->IsMaximum();
-        if (isMaximum)
+        if (!points.empty())
         {
-          fall.clear();
-          for (const Index point : points)
-          {
-            // Where no line may be, the test fails without it.
-            fall.push_back(
-              this->MayBeAt(point) ? this->Axes->ComputeFall(point, this->Field.data()) : 0.0f);
-          }
-        }
-        this->Definition->EvaluateTest(this->Surface, this->View, points.data(), count,
-          isMaximum ? fall.data() : nullptr, test.data());
-        for (vtkIdType i = 0; i < count; ++i)
-        {
-          this->Test[points[i]] = test[i];
+          this->EvaluateTests(points);
         }
       }
     });
+}
+
+//------------------------------------------------------------------------------
+// Appends the points of a block whose test is required, and forgets that it was.
+void FieldValues::TakeTestPoints(Index block, std::vector<Index>& points)
+{
+  if (this->TestBlocks[block].load(std::memory_order_relaxed) == 0)
+  {
+    return;
+  }
+  this->TestBlocks[block].store(0, std::memory_order_relaxed);
+  const Index end = std::min((block + 1) * LineClusters::PointsOfBlock, this->NumberOfPoints);
+  for (Index point = block * LineClusters::PointsOfBlock; point < end; ++point)
+  {
+    if (this->TestPoints[point].load(std::memory_order_relaxed) != 0)
+    {
+      this->TestPoints[point].store(0, std::memory_order_relaxed);
+      points.push_back(point);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void FieldValues::EvaluateTests(const std::vector<Index>& points)
+{
+  std::vector<float> fall;
+  if (this->Axes && this->Definition->IsMaximum())
+  {
+    fall.reserve(points.size());
+    for (const Index point : points)
+    {
+      // Where no line may be, the test fails without it.
+      fall.push_back(this->Axes->MayBeAt(point) ? this->Axes->ComputeFall(point) : 0.0f);
+    }
+  }
+  std::vector<float> test(points.size());
+  this->Definition->EvaluateTest(this->Surface, this->View, points.data(),
+    static_cast<vtkIdType>(points.size()), fall.empty() ? nullptr : fall.data(), test.data());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    this->Test[points[i]] = test[i];
+  }
 }
 }

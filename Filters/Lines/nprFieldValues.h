@@ -8,7 +8,6 @@
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -45,11 +44,6 @@ public:
 
   /// The axes that the field's sign belongs to; null where it has one value.
   const FieldAxes* GetAxes() const { return this->Axes.get(); }
-  /// Whether, as far as is known without the test, a line may be at a point.
-  bool MayBeAt(Index point) const
-  {
-    return this->TestBounds.empty() || this->TestBounds[point] > 0.0f;
-  }
 
   /// @name The field
   ///@{
@@ -76,8 +70,8 @@ public:
   ///@{
   void RequireTest(Index point)
   {
-    this->TestParts[point / PointsOfPart].store(1, std::memory_order_relaxed);
     this->TestPoints[point].store(1, std::memory_order_relaxed);
+    this->TestBlocks[point / LineClusters::PointsOfBlock].store(1, std::memory_order_relaxed);
   }
   /// Forgets what was required. Evaluates the field around the points where it is to have a
   /// maximum.
@@ -86,30 +80,31 @@ public:
   ///@}
 
 private:
-  static constexpr Index PointsOfPart = 1024;
   using Flags = std::unique_ptr<std::atomic<unsigned char>[]>;
 
   void EvaluateSpan(Index begin, Index end);
+  void SetAxes(Index begin, Index end);
   void SetBlockSide(Index begin, Index end);
   void RequireAroundTests();
+  void TakeTestPoints(Index block, std::vector<Index>& points);
+  void EvaluateTests(const std::vector<Index>& points);
 
   const LineSurface& Surface;
+  const LineClusters& Clusters;
   const vtkNPRLineDefinition* Definition = nullptr;
   LineView View;
   const std::vector<float>* Levels = nullptr;
   std::unique_ptr<FieldAxes> Axes;
   const Index NumberOfPoints;
   const Index NumberOfBlocks;
-  const Index NumberOfParts;
-  Flags Blocks; // 1 required, 2 evaluated
-  Flags TestParts;
+  Flags Blocks;     // 1 required, 2 evaluated
+  Flags TestBlocks; // whether any of their points has a flag
   Flags TestPoints;
   std::vector<float> Field;
   std::vector<Side> Sides;
   std::vector<Side> BlockSides;
   std::vector<float> Test;
-  std::array<std::vector<float>, 3> ViewAxes;
-  std::vector<float> TestBounds; // empty where the axes do not depend on the view
+  std::vector<AxisPoint> AxisPoints;
 };
 }
 

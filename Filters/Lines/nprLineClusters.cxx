@@ -28,6 +28,7 @@ LineClusters::LineClusters(const LineSurface& surface)
     NumberOfBlocks((surface.GetMesh().GetNumberOfPoints() + PointsOfBlock - 1) / PointsOfBlock)
 {
   this->FindBlocks();
+  this->FindBlocksAround();
   this->Clusters.Resize(this->NumberOfClusters);
   this->Groups.Resize(this->NumberOfGroups);
   this->UpdateBounds();
@@ -61,6 +62,30 @@ void LineClusters::FindBlocks()
     }
     this->Blocks.insert(this->Blocks.end(), blocks.begin(), blocks.end());
     this->BlockOffsets.push_back(static_cast<Index>(this->Blocks.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Neighbours share a triangle, and so a cluster.
+void LineClusters::FindBlocksAround()
+{
+  std::vector<std::vector<Index>> around(this->NumberOfBlocks);
+  for (Index cluster = 0; cluster < this->NumberOfClusters; ++cluster)
+  {
+    for (const Index* block = this->BlocksBegin(cluster); block != this->BlocksEnd(cluster);
+         ++block)
+    {
+      around[*block].insert(
+        around[*block].end(), this->BlocksBegin(cluster), this->BlocksEnd(cluster));
+    }
+  }
+  this->AroundOffsets.assign(1, 0);
+  for (std::vector<Index>& blocks : around)
+  {
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    this->BlocksAround.insert(this->BlocksAround.end(), blocks.begin(), blocks.end());
+    this->AroundOffsets.push_back(static_cast<Index>(this->BlocksAround.size()));
   }
 }
 

@@ -51,6 +51,16 @@ public:
     return this->Blocks.data() + this->BlockOffsets[cluster + 1];
   }
 
+  /// The blocks that hold points of a block and, among others, all their neighbours: [Begin, End).
+  const Index* BlocksAroundBegin(Index block) const
+  {
+    return this->BlocksAround.data() + this->AroundOffsets[block];
+  }
+  const Index* BlocksAroundEnd(Index block) const
+  {
+    return this->BlocksAround.data() + this->AroundOffsets[block + 1];
+  }
+
   /// Appends the clusters of a group where n.v may be somewhere in [range[0], range[1]].
   void FindFacing(const LineView& view, const std::array<float, 2>& range, Index group,
     std::vector<Index>& clusters) const;
@@ -69,6 +79,7 @@ private:
     bool MayFace(const LineView& view, const std::array<float, 2>& range, Index i) const;
   };
   void FindBlocks();
+  void FindBlocksAround();
 
   const LineSurface& Surface;
   Index NumberOfClusters;
@@ -76,6 +87,8 @@ private:
   Index NumberOfBlocks;
   std::vector<Index> BlockOffsets;
   std::vector<Index> Blocks;
+  std::vector<Index> AroundOffsets;
+  std::vector<Index> BlocksAround;
   Bounds Clusters;
   Bounds Groups;
 };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprLineExtractor.h"
 
-#include "nprCrossingMaker.h"
 #include "nprEdgePieces.h"
 #include "vtkNPRLineDefinition.h"
 
@@ -32,6 +31,37 @@ void ForEach(Elements& elements, const Work& work)
         work(static_cast<Index>(i));
       }
     });
+}
+
+// Not 0 where a line runs through a triangle.
+unsigned int FindCrossedBySides(const TriangleMesh& mesh, Index triangle, const FieldValues& values)
+{
+  constexpr unsigned int any = 7;
+  const TriangleMesh::Triangle& c = mesh.GetTriangle(triangle);
+  const FieldValues::Side* const sides = values.GetSides();
+  const FieldValues::Side first = sides[c[0]];
+  const FieldValues::Side second = sides[c[1]];
+  const FieldValues::Side third = sides[c[2]];
+  return ((second != first) | (third != first)) && first != FieldValues::NotANumber &&
+      second != FieldValues::NotANumber && third != FieldValues::NotANumber
+    ? any
+    : 0;
+}
+
+// As FieldAxes::FindCrossed(), where a line runs through a triangle, else 0. Sides say only where
+// values are numbers: the sign belongs to an axis.
+unsigned int FindCrossedByAxes(const TriangleMesh& mesh, Index triangle, const FieldValues& values)
+{
+  const unsigned int edges = values.GetAxes()->FindCrossed(triangle);
+  if (edges != 3 && edges != 5 && edges != 6)
+  {
+    return 0;
+  }
+  const TriangleMesh::Triangle& c = mesh.GetTriangle(triangle);
+  return std::all_of(c.begin(), c.end(),
+           [&](Index point) { return values.GetSide(point) != FieldValues::NotANumber; })
+    ? edges
+    : 0;
 }
 }
 
@@ -188,25 +218,6 @@ void LineExtractor::FindClusters(const LineView& view, LineStrategy strategy, Fi
 }
 
 //------------------------------------------------------------------------------
-bool LineExtractor::IsCrossed(Index triangle, const FieldValues& values) const
-{
-  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-  const FieldValues::Side a = values.GetSide(c[0]);
-  const FieldValues::Side b = values.GetSide(c[1]);
-  const FieldValues::Side d = values.GetSide(c[2]);
-  const FieldAxes* const axes = values.GetAxes();
-  const float* const field = values.Get();
-  const bool mayBe =
-    axes ? values.MayBeAt(c[0]) || values.MayBeAt(c[1]) || values.MayBeAt(c[2]) : a != b || b != d;
-  return mayBe && a != FieldValues::NotANumber && b != FieldValues::NotANumber &&
-    d != FieldValues::NotANumber &&
-    (!axes ||
-      axes->IsCrossed(3 * triangle, field) + axes->IsCrossed(3 * triangle + 1, field) +
-          axes->IsCrossed(3 * triangle + 2, field) ==
-        2);
-}
-
-//------------------------------------------------------------------------------
 // Whether all points of a cluster are known to be on one side of the line.
 bool LineExtractor::IsOnOneSide(Index cluster, const FieldValues& values) const
 {
@@ -220,23 +231,17 @@ bool LineExtractor::IsOnOneSide(Index cluster, const FieldValues& values) const
 //------------------------------------------------------------------------------
 void LineExtractor::FindCrossed(FieldValues& values)
 {
-  const FieldValues::Side* const sides = values.GetSides();
-  const TriangleMesh::Triangle* const triangles = this->Surface.GetMesh().GetTriangles().data();
+  const TriangleMesh& mesh = this->Surface.GetMesh();
   ForEach(this->Parts,
     [&](Index p)
     {
-      std::vector<Index>& crossed = this->Parts[p].Crossed;
+      std::vector<CrossedTriangle>& crossed = this->Parts[p].Crossed;
       crossed.clear();
-      const auto look = [&](Index triangle)
+      const auto look = [&](Index triangle, unsigned int edges)
       {
-        const TriangleMesh::Triangle& c = triangles[triangle];
-        const FieldValues::Side side = sides[c[0]];
-        const FieldValues::Side second = sides[c[1]];
-        const FieldValues::Side third = sides[c[2]];
-        if (((second != side) | (third != side)) && side != FieldValues::NotANumber &&
-          second != FieldValues::NotANumber && third != FieldValues::NotANumber)
+        if (edges != 0)
         {
-          crossed.push_back(triangle);
+          crossed.push_back({ triangle, edges });
         }
       };
       for (const Index cluster : this->Parts[p].Clusters)
@@ -245,32 +250,28 @@ void LineExtractor::FindCrossed(FieldValues& values)
         {
           continue;
         }
+        const Index first = this->Clusters.GetFirstTriangle(cluster);
+        const Index end = this->Clusters.GetTriangleEnd(cluster);
         if (values.GetAxes())
         {
-          // Sides mean nothing where the sign belongs to an axis.
-          for (Index t = this->Clusters.GetFirstTriangle(cluster);
-               t < this->Clusters.GetTriangleEnd(cluster); ++t)
+          for (Index t = first; t < end; ++t)
           {
-            if (this->IsCrossed(t, values))
-            {
-              crossed.push_back(t);
-            }
+            look(t, FindCrossedByAxes(mesh, t, values));
           }
         }
         else if (this->HasCandidates)
         {
-          const Index end = this->CandidateOffsets[cluster + 1];
-          for (Index i = this->CandidateOffsets[cluster]; i < end; ++i)
+          for (Index i = this->CandidateOffsets[cluster]; i < this->CandidateOffsets[cluster + 1];
+               ++i)
           {
-            look(this->Candidates[i]);
+            look(this->Candidates[i], FindCrossedBySides(mesh, this->Candidates[i], values));
           }
         }
         else
         {
-          const Index end = this->Clusters.GetTriangleEnd(cluster);
-          for (Index t = this->Clusters.GetFirstTriangle(cluster); t < end; ++t)
+          for (Index t = first; t < end; ++t)
           {
-            look(t);
+            look(t, FindCrossedBySides(mesh, t, values));
           }
         }
       }
@@ -289,6 +290,11 @@ void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
       std::make_unique<RandomSeeds>(this->Surface, this->HasCandidates ? this->Candidates : all);
   }
   const TriangleMesh& mesh = this->Surface.GetMesh();
+  const auto findCrossed = [&](Index triangle)
+  {
+    return values.GetAxes() ? FindCrossedByAxes(mesh, triangle, values)
+                            : FindCrossedBySides(mesh, triangle, values);
+  };
   const auto ask = [&](Index triangle)
   {
     RandomSeeds::Answer answer;
@@ -299,7 +305,7 @@ void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
       // Of many levels the one in the middle will do: it goes downhill to get anywhere.
       answer.Distances[i] = std::abs(values[point] - this->Levels[this->Levels.size() / 2]);
     }
-    answer.IsCrossed = this->IsCrossed(triangle, values);
+    answer.IsCrossed = findCrossed(triangle) != 0;
     return answer;
   };
   const std::size_t count =
@@ -312,7 +318,7 @@ void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
     GroupsOfPart * LineClusters::ClustersOfGroup * LineClusters::TrianglesOfCluster;
   for (const Index triangle : this->Seeds->Find(count, ask))
   {
-    this->Parts[triangle / trianglesOfPart].Crossed.push_back(triangle);
+    this->Parts[triangle / trianglesOfPart].Crossed.push_back({ triangle, findCrossed(triangle) });
   }
 }
 
@@ -325,7 +331,8 @@ void LineExtractor::MakeCrossings(
     for (Part& part : this->Parts)
     {
       part.Crossed.erase(std::remove_if(part.Crossed.begin(), part.Crossed.end(),
-                           [this](Index triangle) { return this->Surface.IsGhost(triangle); }),
+                           [this](const CrossedTriangle& crossed)
+                           { return this->Surface.IsGhost(crossed.Triangle); }),
         part.Crossed.end());
     }
   }
@@ -335,9 +342,9 @@ void LineExtractor::MakeCrossings(
     ForEach(this->Parts,
       [&](Index p)
       {
-        for (const Index triangle : this->Parts[p].Crossed)
+        for (const CrossedTriangle& crossed : this->Parts[p].Crossed)
         {
-          for (const Index corner : this->Surface.GetMesh().GetTriangle(triangle))
+          for (const Index corner : this->Surface.GetMesh().GetTriangle(crossed.Triangle))
           {
             values.RequireTest(corner);
           }
@@ -351,11 +358,11 @@ void LineExtractor::MakeCrossings(
     {
       Part& part = this->Parts[p];
       part.Crossings.clear();
-      for (const Index triangle : part.Crossed)
+      for (const CrossedTriangle& crossed : part.Crossed)
       {
-        if (!tested || maker.MayBeAccepted(triangle))
+        if (!tested || maker.MayBeAccepted(crossed.Triangle))
         {
-          maker.Add(triangle, part.Crossings);
+          maker.Add(crossed, part.Crossings);
         }
       }
       if (useSlopes && this->HasSlopes)

@@ -3,6 +3,7 @@
 #ifndef nprLineExtractor_h
 #define nprLineExtractor_h
 
+#include "nprCrossingMaker.h"
 #include "nprFieldValues.h"
 #include "nprLineClusters.h"
 #include "nprLineSegments.h"
@@ -74,7 +75,7 @@ private:
   struct Part
   {
     std::vector<Index> Clusters;
-    std::vector<Index> Crossed;
+    std::vector<CrossedTriangle> Crossed;
     std::vector<LineCrossing> Crossings;
   };
 
@@ -84,7 +85,6 @@ private:
   bool IsOnOneSide(Index cluster, const FieldValues& values) const;
   void FindCrossed(FieldValues& values);
   void FindCrossedAtRandom(double share, FieldValues& values);
-  bool IsCrossed(Index triangle, const FieldValues& values) const;
   void MakeCrossings(
     const LineView& view, bool useSlopes, FieldValues& values, LineSegments& segments);
 

@@ -3,16 +3,26 @@
 #include "vtkNPRApparentRidges.h"
 
 #include "nprArrayNames.h"
+#include "nprFieldAxes.h"
 #include "nprViewCurvature.h"
 
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <array>
 
 vtkStandardNewMacro(vtkNPRApparentRidges);
 
 namespace
 {
+using Row = std::array<float, npr::NumberOfLanes>;
+Row ToRow(const npr::Lanes& lanes)
+{
+  Row row;
+  npr::Store(lanes, row.data());
+  return row;
+}
+
 // The arrays that view-dependent curvature is made from. The unit of length is the length scale.
 class SeenPoints
 {
@@ -35,11 +45,11 @@ public:
   }
 
   // `load` takes from a span what belongs to the points.
-  template<typename Real, typename Loader>
-  npr::ViewCurvature<Real> Get(const Loader& load) const
+  template<typename Loader>
+  npr::ViewCurvature<npr::Lanes> Get(const Loader& load) const
   {
     const float perspective = this->View.Perspective;
-    npr::SeenPoint<Real> point;
+    npr::SeenPoint<npr::Lanes> point;
     point.ToEye = { this->View.Eye[0] - perspective * load(this->Points[0]),
       this->View.Eye[1] - perspective * load(this->Points[1]),
       this->View.Eye[2] - perspective * load(this->Points[2]) };
@@ -96,34 +106,36 @@ std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRApparentRidges::GetRequir
 //------------------------------------------------------------------------------
 void vtkNPRApparentRidges::EvaluateFieldAndAxes(const npr::LineSurface& surface,
   const npr::LineView& view, vtkIdType begin, vtkIdType end, float* field,
-  const std::array<float*, 3>& axes, float* bound) const
+  npr::AxisPoint* points) const
 {
-  const SeenPoints points(surface, view);
+  const SeenPoints all(surface, view);
   const float threshold = static_cast<float>(this->Threshold);
-  // `store` puts values in a span where they belong.
-  const auto evaluate = [&](const auto& load, const auto& store)
+  const auto evaluate = [&](vtkIdType first, int count, const auto& load)
   {
-    const auto seen = points.Get<npr::Lanes>(load);
-    store(seen.Derivative, field);
-    store(seen.Axis.X, axes[0]);
-    store(seen.Axis.Y, axes[1]);
-    store(seen.Axis.Z, axes[2]);
+    const auto seen = all.Get(load);
     const npr::Lanes above = seen.Curvature - threshold * seen.Cosine;
-    store(npr::Lanes(above < seen.Cosine ? above : seen.Cosine), bound);
+    const Row x = ToRow(seen.Axis.X);
+    const Row y = ToRow(seen.Axis.Y);
+    const Row z = ToRow(seen.Axis.Z);
+    const Row bound = ToRow(npr::Lanes(above < seen.Cosine ? above : seen.Cosine));
+    npr::StoreFirst(seen.Derivative, field + first, count);
+    for (int i = 0; i < count; ++i)
+    {
+      points[first + i].Axis = { x[i], y[i], z[i] };
+      points[first + i].Bound = bound[i];
+    }
   };
   vtkIdType i = begin;
   for (; i + npr::NumberOfLanes <= end; i += npr::NumberOfLanes)
   {
-    evaluate([i](const float* values) { return npr::Load<npr::Lanes>(values + i); },
-      [i](const npr::Lanes& value, float* values) { npr::Store(value, values + i); });
+    evaluate(i, npr::NumberOfLanes,
+      [i](const float* values) { return npr::Load<npr::Lanes>(values + i); });
   }
   if (i < end)
   {
     const int rest = static_cast<int>(end - i);
-    evaluate([i, rest](const float* values)
-      { return npr::LoadFirst<npr::Lanes>(values + i, rest); },
-      [i, rest](const npr::Lanes& value, float* values)
-      { npr::StoreFirst(value, values + i, rest); });
+    evaluate(i, rest,
+      [i, rest](const float* values) { return npr::LoadFirst<npr::Lanes>(values + i, rest); });
   }
 }
 
@@ -133,30 +145,53 @@ void vtkNPRApparentRidges::EvaluateTest(const npr::LineSurface& surface, const n
 {
   const SeenPoints all(surface, view);
   const double scale = surface.GetLengthScale();
-  for (vtkIdType j = 0; j < count; ++j)
+  const auto getTest = [&](double cosine, double seenCurvature, double seenStretch, double falling)
   {
-    const Index i = points[j];
-    const auto seen = all.Get<float>([i](const float* values) { return values[i]; });
-    const double facing = seen.Cosine / this->ContourFade;
+    const double facing = cosine / this->ContourFade;
     if (facing <= 0.0)
     {
-      test[j] = static_cast<float>(facing);
-      continue;
+      return facing;
     }
-    const double curvature = double(seen.Curvature) / seen.Cosine;
+    const double curvature = seenCurvature / cosine;
     const double rise = (curvature - this->Threshold) / this->Fade;
     // In this order a NaN stays.
-    double result = facing < rise ? facing : rise;
-    if (result > 0.0)
+    const double result = facing < rise ? facing : rise;
+    if (!(result > 0.0))
     {
-      // The field falls with c^2, on the surface; on the screen it falls faster by the stretch.
-      const double stretch = double(seen.Stretch) / seen.Cosine;
-      const double onScreen =
-        scale * fall[j] * stretch * stretch / (double(seen.Cosine) * seen.Cosine);
-      const double least = this->Sharpness * curvature * curvature * curvature;
-      const double sharp = (onScreen - least) / least;
-      result = result < sharp ? result : sharp;
+      return result;
     }
-    test[j] = static_cast<float>(result);
+    // The field falls with c^2, on the surface; on the screen it falls faster by the stretch.
+    const double stretch = seenStretch / cosine;
+    const double onScreen = scale * falling * stretch * stretch / (cosine * cosine);
+    const double least = this->Sharpness * curvature * curvature * curvature;
+    const double sharp = (onScreen - least) / least;
+    return result < sharp ? result : sharp;
+  };
+  for (vtkIdType first = 0; first < count; first += npr::NumberOfLanes)
+  {
+    const int size = static_cast<int>(std::min<vtkIdType>(npr::NumberOfLanes, count - first));
+    std::array<Index, npr::NumberOfLanes> here;
+    for (int i = 0; i < npr::NumberOfLanes; ++i)
+    {
+      here[i] = points[first + std::min(i, size - 1)];
+    }
+    const auto seen = all.Get(
+      [&here](const float* values)
+      {
+        Row row;
+        for (int i = 0; i < npr::NumberOfLanes; ++i)
+        {
+          row[i] = values[here[i]];
+        }
+        return npr::Load<npr::Lanes>(row.data());
+      });
+    const Row cosine = ToRow(seen.Cosine);
+    const Row curvature = ToRow(seen.Curvature);
+    const Row stretch = ToRow(seen.Stretch);
+    for (int i = 0; i < size; ++i)
+    {
+      test[first + i] =
+        static_cast<float>(getTest(cosine[i], curvature[i], stretch[i], fall[first + i]));
+    }
   }
 }

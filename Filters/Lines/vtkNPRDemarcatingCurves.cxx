@@ -3,6 +3,7 @@
 #include "vtkNPRDemarcatingCurves.h"
 
 #include "nprArrayNames.h"
+#include "nprFieldAxes.h"
 #include "nprSteepestTurn.h"
 
 #include <vtkObjectFactory.h>
@@ -74,8 +75,7 @@ std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRDemarcatingCurves::GetReq
 
 //------------------------------------------------------------------------------
 void vtkNPRDemarcatingCurves::EvaluateFieldAndAxes(const npr::LineSurface& surface,
-  const npr::LineView&, vtkIdType begin, vtkIdType end, float* field,
-  const std::array<float*, 3>& axes, float* bound) const
+  const npr::LineView&, vtkIdType begin, vtkIdType end, float* field, npr::AxisPoint* points) const
 {
   const Steps steps(surface);
   const float* k1 = surface.GetComponent(npr::names::PrincipalCurvature1, 0);
@@ -94,9 +94,9 @@ void vtkNPRDemarcatingCurves::EvaluateFieldAndAxes(const npr::LineSurface& surfa
       static_cast<float>(step.Along1 * step.Along1 * k1[i] + step.Along2 * step.Along2 * k2[i]);
     for (int c = 0; c < 3; ++c)
     {
-      axes[c][i] = static_cast<float>(step.Along1 * e1[c][i] + step.Along2 * e2[c][i]);
+      points[i].Axis[c] = static_cast<float>(step.Along1 * e1[c][i] + step.Along2 * e2[c][i]);
     }
-    bound[i] = static_cast<float>(step.Steepness - this->Threshold);
+    points[i].Bound = static_cast<float>(step.Steepness - this->Threshold);
   }
 }
 

@@ -64,8 +64,7 @@ public:
     return true;
   }
   void EvaluateFieldAndAxes(const npr::LineSurface& surface, const npr::LineView& view,
-    vtkIdType begin, vtkIdType end, float* field, const std::array<float*, 3>& axes,
-    float* bound) const override;
+    vtkIdType begin, vtkIdType end, float* field, npr::AxisPoint* points) const override;
   bool HasTest() const override
   {
     return true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRLineDefinition.h"
 
+#include "nprFieldAxes.h"
 #include "vtkNPRApparentRidges.h"
 #include "vtkNPRBoundaries.h"
 #include "vtkNPRContourEdges.h"
@@ -325,13 +326,13 @@ void vtkNPRLineDefinition::BoundField(
 //------------------------------------------------------------------------------
 void vtkNPRLineDefinition::EvaluateFieldAndAxes(const npr::LineSurface& surface,
   const npr::LineView& view, vtkIdType begin, vtkIdType end, float* field,
-  const std::array<float*, 3>& axes, float* bound) const
+  npr::AxisPoint* points) const
 {
   this->EvaluateField(surface, view, begin, end, field);
-  std::fill(bound + begin, bound + end, 1.0f);
-  for (float* component : axes)
+  for (vtkIdType i = begin; i < end; ++i)
   {
-    std::fill(component + begin, component + end, 0.0f);
+    points[i].Axis = { 0.0f, 0.0f, 0.0f };
+    points[i].Bound = 1.0f;
   }
 }
 

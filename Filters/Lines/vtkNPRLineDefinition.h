@@ -34,6 +34,7 @@
 namespace npr
 {
 class PlaneBounds;
+struct AxisPoint;
 }
 #endif
 
@@ -227,13 +228,12 @@ public:
   {
     return false;
   }
-  /// Writes field[i], axes[c][i], c < 3, and bound[i] for the points begin <= i < end, all at
+  /// Writes field[i], and Axis and Bound of points[i], for the points begin <= i < end, all at
   /// once, for they are mostly made together. Axes are unit vectors in the tangent plane, 0 where
   /// there is none. A bound is > 0 where the test may be, as far as is known without its fall: a
   /// triangle without is not looked at.
   virtual void EvaluateFieldAndAxes(const npr::LineSurface& surface, const npr::LineView& view,
-    vtkIdType begin, vtkIdType end, float* field, const std::array<float*, 3>& axes,
-    float* bound) const;
+    vtkIdType begin, vtkIdType end, float* field, npr::AxisPoint* points) const;
   /// Whether the field is the derivative along its axes of something that has a maximum on the
   /// line, so that EvaluateTest() is to be given its fall.
   virtual bool IsMaximum() const
