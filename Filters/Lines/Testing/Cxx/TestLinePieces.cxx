@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A surface in pieces has the segments that it has as a whole; and a surface without arrays can
 // have those that lines need made.
+#include "nprBumpyRing.h"
 #include "nprSegmentMatching.h"
 
 #include "vtkNPRCurvatureTensor.h"
@@ -15,40 +16,12 @@ using namespace nprtest;
 
 namespace
 {
-// A torus with a hole, bent so much at one place that there are creases.
+// A ring with a hole, bent so much at one place that there are creases.
 vtkSmartPointer<vtkPolyData> MakeRing()
 {
-  constexpr int nu = 90;
-  constexpr int nv = 40;
-  auto ring = MakeGrid(nu, nv, true, true);
-  for (int i = 0; i < nu; ++i)
-  {
-    for (int j = 0; j < nv; ++j)
-    {
-      const double u = 2.0 * Pi * i / nu;
-      const double v = 2.0 * Pi * j / nv;
-      Torus torus;
-      torus.r *= 1.0 + 0.2 * std::abs(std::sin(2.0 * u + 0.1)) * std::sin(3.0 * v + 0.2);
-      ring->GetPoints()->SetPoint(i * nv + j, torus.Point(u, v).data());
-    }
-  }
-  vtkNew<vtkNPRCurvatureTensor> tensor;
-  tensor->SetEstimator(vtkNPRCurvatureTensor::PER_FACE);
-  tensor->SetInputData(ring);
-  tensor->Update();
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < ring->GetNumberOfPolys(); ++i)
-  {
-    if (i % (2 * nv) >= nv / 3 || i > nu * nv / 2)
-    {
-      ring->GetPolys()->GetCellAtId(i, ids);
-      triangles->InsertNextCell(ids);
-    }
-  }
-  vtkPolyData* const output = tensor->GetOutput();
-  output->SetPolys(triangles);
-  return output;
+  return MakeBumpyRing(90, 40, true,
+    [](double u, double v)
+    { return 1.0 + 0.2 * std::abs(std::sin(2.0 * u + 0.1)) * std::sin(3.0 * v + 0.2); });
 }
 
 void TestPieces(Checks& check)

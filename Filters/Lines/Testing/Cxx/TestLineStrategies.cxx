@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ways to find lines: the hierarchy finds what the full traversal does, to the last bit, from
 // everywhere; random seeds find a part of it, and most of it after some views.
-#include "nprLineTesting.h"
-
-#include "vtkNPRCurvatureTensor.h"
+#include "nprBumpyRing.h"
 
 #include <vtkFloatArray.h>
 
@@ -16,30 +14,15 @@ using namespace nprtest;
 
 namespace
 {
-constexpr int NU = 240;
-constexpr int NV = 100;
-
 // A ring with bumps large and small, so that bounds are sharp in some places and not in others.
-vtkSmartPointer<vtkPolyData> MakeBumpyRing()
+vtkSmartPointer<vtkPolyData> MakeRing()
 {
-  auto ring = MakeGrid(NU, NV, true, true);
-  for (int i = 0; i < NU; ++i)
-  {
-    for (int j = 0; j < NV; ++j)
+  return MakeBumpyRing(240, 100, false,
+    [](double u, double v)
     {
-      const double u = 2.0 * Pi * i / NU;
-      const double v = 2.0 * Pi * j / NV;
-      Torus torus;
-      torus.r *= 1.0 + 0.12 * std::sin(5.0 * u + 0.3) * std::sin(3.0 * v + 0.2) +
+      return 1.0 + 0.12 * std::sin(5.0 * u + 0.3) * std::sin(3.0 * v + 0.2) +
         (u > 4.0 ? 0.02 * std::sin(40.0 * u) * std::sin(17.0 * v) : 0.0);
-      ring->GetPoints()->SetPoint(static_cast<vtkIdType>(i) * NV + j, torus.Point(u, v).data());
-    }
-  }
-  vtkNew<vtkNPRCurvatureTensor> tensor;
-  tensor->SetEstimator(vtkNPRCurvatureTensor::PER_FACE);
-  tensor->SetInputData(ring);
-  tensor->Update();
-  return tensor->GetOutput();
+    });
 }
 
 // All that the lines of two filters have.
@@ -85,7 +68,7 @@ std::vector<vtkSmartPointer<vtkCamera>> MakeCameras()
 
 void TestHierarchy(Checks& check)
 {
-  const auto surface = MakeBumpyRing();
+  const auto surface = MakeRing();
   for (const char* name : { "contours", "suggestive", "apparent-ridges", "principal-highlights",
          "isophotes", "contour-edges" })
   {
@@ -115,7 +98,7 @@ void TestHierarchy(Checks& check)
 //------------------------------------------------------------------------------
 void TestRandomSeeds(Checks& check)
 {
-  const auto surface = MakeBumpyRing();
+  const auto surface = MakeRing();
   vtkNew<vtkNPRFeatureLines> full;
   vtkNew<vtkNPRFeatureLines> random;
   random->SetStrategy(vtkNPRFeatureLines::RANDOM_SEEDS);

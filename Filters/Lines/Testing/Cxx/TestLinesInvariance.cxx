@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What must not matter: threads and what runs them, the order of points and triangles, the place,
 // the turn and the unit of the coordinates.
+#include "nprBumpyRing.h"
 #include "nprSegmentMatching.h"
 
-#include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkSMPTools.h>
@@ -21,39 +21,11 @@ const std::vector<const char*> AllLines = { "contours", "suggestive", "ridges", 
   "creases", "boundaries" };
 
 // A bumpy ring with a hole cut into it, and all arrays that lines need.
-vtkSmartPointer<vtkPolyData> MakeBumpyRing()
+vtkSmartPointer<vtkPolyData> MakeRing()
 {
-  constexpr int nu = 150;
-  constexpr int nv = 60;
-  auto ring = MakeGrid(nu, nv, true, true);
-  for (int i = 0; i < nu; ++i)
-  {
-    for (int j = 0; j < nv; ++j)
-    {
-      const double u = 2.0 * Pi * i / nu;
-      const double v = 2.0 * Pi * j / nv;
-      Torus torus;
-      torus.r *= 1.0 + 0.15 * std::sin(5.0 * u + 0.3) * std::sin(3.0 * v + 0.2);
-      ring->GetPoints()->SetPoint(i * nv + j, torus.Point(u, v).data());
-    }
-  }
-  vtkNew<vtkNPRCurvatureTensor> tensor;
-  tensor->SetEstimator(vtkNPRCurvatureTensor::PER_FACE);
-  tensor->SetInputData(ring);
-  tensor->Update();
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < ring->GetNumberOfPolys(); ++i)
-  {
-    if (i % (2 * nv) >= nv / 3 || i > nu * nv / 2)
-    {
-      ring->GetPolys()->GetCellAtId(i, ids);
-      triangles->InsertNextCell(ids);
-    }
-  }
-  vtkPolyData* const output = tensor->GetOutput();
-  output->SetPolys(triangles);
-  return output;
+  return MakeBumpyRing(150, 60, true,
+    [](double u, double v)
+    { return 1.0 + 0.15 * std::sin(5.0 * u + 0.3) * std::sin(3.0 * v + 0.2); });
 }
 
 vtkSmartPointer<vtkPolyData> ExtractFrom(vtkPolyData* surface,
@@ -306,7 +278,7 @@ void TestMotions(vtkPolyData* surface, vtkCamera* camera, Checks& check)
 int TestLinesInvariance(int, char*[])
 {
   Checks check;
-  const auto surface = MakeBumpyRing();
+  const auto surface = MakeRing();
   TestThreads(surface, MakeCamera({ 3.1, 1.2, 3.3 }), check);
   for (const bool parallel : { false, true })
   {
