@@ -10,11 +10,13 @@
 #ifndef nprLanes_h
 #define nprLanes_h
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 namespace npr
 {
@@ -24,11 +26,17 @@ constexpr int NumberOfLanes = 4;
 
 inline Lanes SquareRoot(Lanes x)
 {
-  Eigen::Array4f values;
-  std::memcpy(values.data(), &x, sizeof(x));
-  values = values.sqrt();
-  std::memcpy(&x, values.data(), sizeof(x));
-  return x;
+#if defined(__SSE__)
+  // Rounded as it must be, on every processor; libraries may take an estimate and improve it.
+  return reinterpret_cast<Lanes>(_mm_sqrt_ps(reinterpret_cast<__m128>(x)));
+#else
+  Lanes root;
+  for (int i = 0; i < NumberOfLanes; ++i)
+  {
+    root[i] = std::sqrt(x[i]);
+  }
+  return root;
+#endif
 }
 
 /// -1 for negative numbers and the negative zero, else 1.
