@@ -247,10 +247,7 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
     entry.Extractor =
       std::make_unique<npr::LineExtractor>(surface, *internal.Clusters, *entry.Definition);
     entry.MTime = entry.Definition->GetMTime();
-    if (!entry.Definition->IsViewDependent())
-    {
-      internal.Extract(entry, npr::LineView(), options);
-    }
+    entry.IsExtracted = false;
   }
   return true;
 }
@@ -401,7 +398,7 @@ int vtkNPRFeatureLines::RequestData(
       {
         continue;
       }
-      if (moves)
+      if (moves || !entry.IsExtracted)
       {
         internal.Extract(entry, view, internal.Options);
       }

@@ -33,7 +33,8 @@ public:
     std::unique_ptr<npr::LineExtractor> Extractor;
     npr::LineChains Chains;
     npr::ChainIds Ids;
-    bool IsWritten = false; // whether the last output had these chains
+    bool IsExtracted = false; // whether the chains are those of the input and the definition
+    bool IsWritten = false;   // whether the last output had these chains
   };
   std::vector<Entry> Entries;
 
@@ -86,6 +87,7 @@ public:
       const StageTimer timer(*this, JOIN);
       this->Joiner->Join(this->Segments, this->Paths);
     }
+    entry.IsExtracted = true;
     entry.IsWritten = false;
     const StageTimer timer(*this, PLACE);
     entry.Chains.Make(*this->Surface, this->Segments, this->Paths, this->OutputSources);
