@@ -4,7 +4,11 @@
 
 #include "nprLineSurface.h"
 
+#include <vtkSMPThreadLocal.h>
+#include <vtkSMPTools.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,18 +30,30 @@ FieldRange GetMultiples(const FieldRange& range, double spacing, double offset)
 //------------------------------------------------------------------------------
 FieldRange GetFieldRange(const LineSurface& surface, const float* field)
 {
-  float minimum = std::numeric_limits<float>::max();
-  float maximum = std::numeric_limits<float>::lowest();
-  for (const TriangleMesh::Triangle& triangle : surface.GetMesh().GetTriangles())
-  {
-    for (const LineSurface::Index point : triangle)
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  using Range = std::array<float, 2>;
+  vtkSMPThreadLocal<Range> ranges(Range{ infinity, -infinity });
+  vtkSMPTools::For(0, surface.GetMesh().GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      if (std::isfinite(field[point]))
+      Range& range = ranges.Local();
+      for (LineSurface::Index t = static_cast<LineSurface::Index>(begin); t < end; ++t)
       {
-        minimum = std::min(minimum, field[point]);
-        maximum = std::max(maximum, field[point]);
+        for (const LineSurface::Index point : surface.GetMesh().GetTriangle(t))
+        {
+          if (std::isfinite(field[point]))
+          {
+            range = { std::min(range[0], field[point]), std::max(range[1], field[point]) };
+          }
+        }
       }
-    }
+    });
+  float minimum = infinity;
+  float maximum = -infinity;
+  for (const Range& range : ranges)
+  {
+    minimum = std::min(minimum, range[0]);
+    maximum = std::max(maximum, range[1]);
   }
   return minimum <= maximum ? FieldRange{ minimum, maximum } : FieldRange();
 }
