@@ -21,9 +21,10 @@
  *
  * @par Exactness
  * A triangle that is seen exactly edge-on counts as facing the eye. Each triangle is judged by
- * itself, in double precision, so that all its edges agree. Where coordinates are small whole
- * numbers (up to 2^15) nothing is rounded. In parallel projection the direction of the view is a
- * rounded unit vector, so a triangle that is edge-on but for that counts as edge-on.
+ * itself, in double precision, so that all its edges agree; rows of triangles that all face one way
+ * by more than any rounding are judged at once, with the same result. Where coordinates are small
+ * whole numbers (up to 2^15) nothing is rounded. In parallel projection the direction of the view
+ * is a rounded unit vector, so a triangle that is edge-on but for that counts as edge-on.
  *
  * @sa vtkNPRFeatureLines vtkNPROccludingContours vtkNPRBoundaries
  */

@@ -200,7 +200,8 @@ public:
     return {};
   }
   /// Writes how fast the field changes at both ends of the edges from[i] to[i], i < count, per
-  /// length of the edge: the derivatives by t of the field at from + t (to - from).
+  /// length of the edge: its derivatives along to - from on the surface that the points are of, not
+  /// along the chord.
   virtual void EvaluateSlopes(const npr::LineSurface& surface, const npr::LineView& view,
     const Index* from, const Index* to, vtkIdType count, float* atFrom, float* atTo) const;
   /// Whether the line also runs where the field jumps: along split edges on whose sides its signs
