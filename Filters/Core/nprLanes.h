@@ -10,6 +10,7 @@
 #ifndef nprLanes_h
 #define nprLanes_h
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -46,9 +47,73 @@ inline Lanes SignOf(Lanes x)
   const Bits sign = reinterpret_cast<Bits>(x) & INT32_MIN;
   return reinterpret_cast<Lanes>(sign | 0x3f800000); // the bits of 1
 }
+
+/// A number for each lane: make(i) for lane i.
+template<typename Make>
+Lanes MakeLanes(const Make& make)
+{
+  return Lanes{ make(0), make(1), make(2), make(3) };
+}
+
+/// A sum of lanes in double precision.
+class LaneSum
+{
+public:
+  void Add(Lanes x)
+  {
+    using Floats = float __attribute__((vector_size(8)));
+    this->Low += __builtin_convertvector(Floats{ x[0], x[1] }, Doubles);
+    this->High += __builtin_convertvector(Floats{ x[2], x[3] }, Doubles);
+  }
+  double Get() const { return (this->Low[0] + this->Low[1]) + (this->High[0] + this->High[1]); }
+
+private:
+  using Doubles = double __attribute__((vector_size(16)));
+  Doubles Low = {};
+  Doubles High = {};
+};
+
+/// Four rows of four numbers as four columns.
+inline std::array<Lanes, 4> LoadColumns(const std::array<const float*, 4>& rows)
+{
+  std::array<Lanes, 4> r;
+  for (int i = 0; i < 4; ++i)
+  {
+    std::memcpy(&r[i], rows[i], sizeof(Lanes));
+  }
+  const Lanes low01 = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5);
+  const Lanes low23 = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5);
+  const Lanes high01 = __builtin_shufflevector(r[0], r[1], 2, 6, 3, 7);
+  const Lanes high23 = __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7);
+  return { __builtin_shufflevector(low01, low23, 0, 1, 4, 5),
+    __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
+    __builtin_shufflevector(high01, high23, 0, 1, 4, 5),
+    __builtin_shufflevector(high01, high23, 2, 3, 6, 7) };
+}
 #else
 using Lanes = float;
 constexpr int NumberOfLanes = 1;
+
+template<typename Make>
+Lanes MakeLanes(const Make& make)
+{
+  return make(0);
+}
+
+class LaneSum
+{
+public:
+  void Add(Lanes x) { this->Total += x; }
+  double Get() const { return this->Total; }
+
+private:
+  double Total = 0.0;
+};
+
+inline std::array<Lanes, 4> LoadColumns(const std::array<const float*, 1>& rows)
+{
+  return { rows[0][0], rows[0][1], rows[0][2], rows[0][3] };
+}
 #endif
 
 /// Starts to load what will be read soon.

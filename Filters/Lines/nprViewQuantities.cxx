@@ -3,6 +3,7 @@
 #include "nprViewQuantities.h"
 
 #include "nprArrayNames.h"
+#include "nprLanes.h"
 
 #include <algorithm>
 #include <array>
@@ -70,7 +71,6 @@ RequiredArray FromTensor(const char* name, int components)
 {
   return { name, components, "vtkNPRCurvatureTensor" };
 }
-const RequiredArray Tensor = FromTensor(names::CurvatureTensor, 6);
 const RequiredArray Curvature1 = FromTensor(names::PrincipalCurvature1, 1);
 const RequiredArray Curvature2 = FromTensor(names::PrincipalCurvature2, 1);
 const RequiredArray Direction1 = FromTensor(names::PrincipalDirection1, 3);
@@ -180,12 +180,9 @@ void EvaluateRadialCurvature(const LineSurface& surface, const LineView& view, v
   const float* py = surface.GetCoordinate(1);
   const float* pz = surface.GetCoordinate(2);
   const Vectors n(surface, names::Normals);
-  const float* xx = surface.GetComponent(names::CurvatureTensor, 0);
-  const float* yy = surface.GetComponent(names::CurvatureTensor, 1);
-  const float* zz = surface.GetComponent(names::CurvatureTensor, 2);
-  const float* xy = surface.GetComponent(names::CurvatureTensor, 3);
-  const float* yz = surface.GetComponent(names::CurvatureTensor, 4);
-  const float* xz = surface.GetComponent(names::CurvatureTensor, 5);
+  const Vectors e1(surface, names::PrincipalDirection1);
+  const float* k1 = surface.GetComponent(names::PrincipalCurvature1, 0);
+  const float* k2 = surface.GetComponent(names::PrincipalCurvature2, 0);
   const LineView eye = view;
   const float lengthScale = static_cast<float>(surface.GetLengthScale());
   for (vtkIdType first = begin; first < end; first += Size)
@@ -202,10 +199,11 @@ void EvaluateRadialCurvature(const LineSurface& surface, const LineView& view, v
       x -= along * n.X[j];
       y -= along * n.Y[j];
       z -= along * n.Z[j];
-      const float bend = x * (xx[j] * x + 2.0f * xy[j] * y) + y * (yy[j] * y + 2.0f * yz[j] * z) +
-        z * (zz[j] * z + 2.0f * xz[j] * x);
-      block[i] =
-        lengthScale * bend / (x * x + y * y + z * z + guard + std::numeric_limits<float>::min());
+      const float square = x * x + y * y + z * z;
+      const float along1 = e1.X[j] * x + e1.Y[j] * y + e1.Z[j] * z;
+      const float square1 = along1 * along1;
+      const float bend = k1[j] * square1 + k2[j] * (square - square1);
+      block[i] = lengthScale * bend / (square + guard + std::numeric_limits<float>::min());
     }
     std::copy(block.data(), block.data() + count, radialCurvature + (first - begin));
   }
@@ -215,48 +213,90 @@ void EvaluateRadialCurvature(const LineSurface& surface, const LineView& view, v
 void EvaluateRadialDerivative(const LineSurface& surface, const LineView& view,
   const PointSpan& points, double* cosine, double* sine, double* derivative)
 {
-  const ToEye toEye(surface, view);
-  const Vectors n(surface, names::Normals);
-  const auto component = [&](const char* name, int c)
-  { return derivative ? surface.GetComponent(name, c) : nullptr; };
-  const float* k1 = component(names::PrincipalCurvature1, 0);
-  const float* k2 = component(names::PrincipalCurvature2, 0);
-  std::array<const float*, 3> e1;
-  std::array<const float*, 3> e2;
-  std::array<const float*, 4> pqst;
-  for (int c = 0; c < 4; ++c)
+  using Components3 = std::array<const float*, 3>;
+  const auto component = [&](const char* name, int c) { return surface.GetComponent(name, c); };
+  const auto vectors = [&](const char* name) -> Components3 {
+    return { component(name, 0), component(name, 1), component(name, 2) };
+  };
+  const Components3 places = { surface.GetCoordinate(0), surface.GetCoordinate(1),
+    surface.GetCoordinate(2) };
+  const Components3 normals = vectors(names::Normals);
+  Components3 e1 = {};
+  std::array<const float*, 4> pqst = {};
+  const float* k1 = nullptr;
+  const float* k2 = nullptr;
+  if (derivative)
   {
-    pqst[c] = component(names::CurvatureDerivatives, c);
-    if (c < 3)
+    e1 = vectors(names::PrincipalDirection1);
+    for (int c = 0; c < 4; ++c)
     {
-      e1[c] = component(names::PrincipalDirection1, c);
-      e2[c] = component(names::PrincipalDirection2, c);
+      pqst[c] = component(names::CurvatureDerivatives, c);
     }
+    k1 = component(names::PrincipalCurvature1, 0);
+    k2 = component(names::PrincipalCurvature2, 0);
   }
-  const double square = surface.GetLengthScale() * surface.GetLengthScale();
-  for (vtkIdType j = 0; j < points.GetNumberOfPoints(); ++j)
+  const LineView eye = view;
+  const float square = static_cast<float>(surface.GetLengthScale() * surface.GetLengthScale());
+  const auto write = [](const Lanes& from, double* to, int count)
   {
-    const vtkIdType i = points[j];
-    float x, y, z;
-    toEye.Get(i, x, y, z);
-    const double c = Project(n, i, x, y, z);
-    const double s = std::sqrt(x * x + y * y + z * z);
+    std::array<float, NumberOfLanes> row;
+    Store(from, row.data());
+    std::copy(row.data(), row.data() + count, to);
+  };
+  // Writes what belongs to the points from j on; `load` takes theirs from an array.
+  const auto evaluate = [&](vtkIdType j, int count, const auto& load)
+  {
+    const auto load3 = [&load](const Components3& from) -> Vector3<Lanes> {
+      return { load(from[0]), load(from[1]), load(from[2]) };
+    };
+    const Vector3<Lanes> place = load3(places);
+    const Vector3<Lanes> normal = load3(normals);
+    Vector3<Lanes> v = { eye.Eye[0] - eye.Perspective * place.X,
+      eye.Eye[1] - eye.Perspective * place.Y, eye.Eye[2] - eye.Perspective * place.Z };
+    // The length of the vector is 0 at the eye itself.
+    v = v * Lanes(1.0f / SquareRoot(Lanes(Dot(v, v) + std::numeric_limits<float>::min())));
+    const Lanes c = Dot(normal, v);
+    const Vector3<Lanes> w = v - normal * c;
+    const Lanes s = SquareRoot(Dot(w, w));
     if (cosine)
     {
-      cosine[j] = c;
+      write(c, cosine + j, count);
     }
     if (sine)
     {
-      sine[j] = s;
+      write(s, sine + j, count);
     }
     if (derivative)
     {
-      const double over = 1.0 / (s < LeastSine ? double(LeastSine) : s);
-      const double a = over * (x * e1[0][i] + y * e1[1][i] + z * e1[2][i]);
-      const double b = over * (x * e2[0][i] + y * e2[1][i] + z * e2[2][i]);
-      const double cubic = a * a * (a * pqst[0][i] + 3.0 * b * pqst[1][i]) +
-        b * b * (3.0 * a * pqst[2][i] + b * pqst[3][i]);
-      derivative[j] = square * (cubic + 2.0 * double(k1[i]) * k2[i] * c * over);
+      const Lanes least = Lanes{} + LeastSine;
+      const Lanes over = 1.0f / (s < least ? least : s);
+      const Vector3<Lanes> direction1 = load3(e1);
+      const Lanes a = over * Dot(w, direction1);
+      const Lanes b = over * Dot(w, Cross(normal, direction1));
+      const Lanes cubic = a * a * (a * load(pqst[0]) + 3.0f * b * load(pqst[1])) +
+        b * b * (3.0f * a * load(pqst[2]) + b * load(pqst[3]));
+      write(square * (cubic + 2.0f * load(k1) * load(k2) * c * over), derivative + j, count);
+    }
+  };
+  const vtkIdType size = points.GetNumberOfPoints();
+  for (vtkIdType j = 0; j < size; j += NumberOfLanes)
+  {
+    const int count = static_cast<int>(std::min<vtkIdType>(NumberOfLanes, size - j));
+    std::array<vtkIdType, NumberOfLanes> here;
+    bool isRow = count == NumberOfLanes;
+    for (int i = 0; i < NumberOfLanes; ++i)
+    {
+      here[i] = points[j + std::min(i, count - 1)];
+      isRow &= here[i] == here[0] + i;
+    }
+    if (isRow)
+    {
+      evaluate(j, count, [&here](const float* from) { return Load<Lanes>(from + here[0]); });
+    }
+    else
+    {
+      evaluate(j, count,
+        [&here](const float* from) { return MakeLanes([&](int i) { return from[here[i]]; }); });
     }
   }
 }
@@ -273,9 +313,10 @@ const std::vector<ViewQuantity>& GetViewQuantities()
       [](const LineSurface& surface, const LineView& view, const PointSpan& points, int,
         double* values)
       { EvaluateRadialDerivative(surface, view, points, nullptr, values, nullptr); } },
-    { "kr", "radial curvature, times the length scale", 1, true, { Normals, Tensor }, EvaluateKr },
+    { "kr", "radial curvature, times the length scale", 1, true,
+      { Normals, Curvature1, Curvature2, Direction1 }, EvaluateKr },
     { "dwkr", "derivative of kr towards the eye where kr is 0, times the length scale squared", 1,
-      true, { Normals, Curvature1, Curvature2, Direction1, Direction2, Derivatives },
+      true, { Normals, Curvature1, Curvature2, Direction1, Derivatives },
       [](const LineSurface& surface, const LineView& view, const PointSpan& points, int,
         double* values)
       { EvaluateRadialDerivative(surface, view, points, nullptr, nullptr, values); } },

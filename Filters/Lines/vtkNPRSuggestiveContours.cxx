@@ -34,11 +34,9 @@ vtkNPRSuggestiveContours::vtkNPRSuggestiveContours()
 std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRSuggestiveContours::GetRequiredArrays() const
 {
   return { { npr::names::Normals, 3, "vtkNPRSurfaceNormals" },
-    { npr::names::CurvatureTensor, 6, "vtkNPRCurvatureTensor" },
     { npr::names::PrincipalCurvature1, 1, "vtkNPRCurvatureTensor" },
     { npr::names::PrincipalCurvature2, 1, "vtkNPRCurvatureTensor" },
     { npr::names::PrincipalDirection1, 3, "vtkNPRCurvatureTensor" },
-    { npr::names::PrincipalDirection2, 3, "vtkNPRCurvatureTensor" },
     { npr::names::CurvatureDerivatives, 4, "vtkNPRCurvatureTensor" } };
 }
 

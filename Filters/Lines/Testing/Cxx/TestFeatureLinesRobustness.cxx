@@ -37,7 +37,7 @@ void TestErrors(Checks& check)
     lines->SetMatrix(nullptr);
     lines->AddDefinition("suggestive");
     const std::string errors = GetErrors(lines);
-    check(Contains(errors, "\"CurvatureTensor\"") && Contains(errors, "vtkNPRCurvatureTensor"),
+    check(Contains(errors, "\"PrincipalCurvature1\"") && Contains(errors, "vtkNPRCurvatureTensor"),
       "an error names the array that is missing, and what makes it");
   }
   for (int i = 0; i < vtkNPRLineDefinition::GetNumberOfLineNames(); ++i)
