@@ -3,6 +3,7 @@
 #include "nprCrossingMaker.h"
 
 #include "nprHermite.h"
+#include "nprLanes.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <algorithm>
@@ -16,6 +17,51 @@ CrossingMaker::CrossingMaker(
   const LineSurface& surface, const std::vector<float>& levels, const FieldValues& values)
   : Surface(surface), Levels(levels), Values(values)
 {
+}
+
+//------------------------------------------------------------------------------
+void CrossingMaker::Add(
+  const std::vector<CrossedTriangle>& crossed, std::vector<LineCrossing>& crossings) const
+{
+  for (const CrossedTriangle& triangle : crossed)
+  {
+    this->Add(triangle, crossings);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CrossingMaker::AddAccepted(
+  const std::vector<CrossedTriangle>& crossed, std::vector<LineCrossing>& crossings) const
+{
+  // What is accepted is as good as random, so that branches would be slow, and triangles lie far
+  // apart in memory.
+  constexpr std::size_t ahead = 16;
+  std::array<CrossedTriangle, 128> accepted;
+  for (std::size_t first = 0; first < crossed.size(); first += accepted.size())
+  {
+    const std::size_t last = std::min(first + accepted.size(), crossed.size());
+    std::size_t size = 0;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const CrossedTriangle& later = crossed[std::min(i + ahead, crossed.size() - 1)];
+      Prefetch(&this->Surface.GetMesh().GetTriangle(later.Triangle));
+      accepted[size] = crossed[i];
+      size += this->MayBeAccepted(crossed[i].Triangle);
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      this->Add(accepted[i], crossings);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// False where the test accepts nothing of a triangle.
+bool CrossingMaker::MayBeAccepted(Index triangle) const
+{
+  const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
+  return (this->Values.GetTest(c[0]) > 0.0f) | (this->Values.GetTest(c[1]) > 0.0f) |
+    (this->Values.GetTest(c[2]) > 0.0f);
 }
 
 //------------------------------------------------------------------------------

@@ -38,16 +38,12 @@ public:
   CrossingMaker(
     const LineSurface& surface, const std::vector<float>& levels, const FieldValues& values);
 
-  /// False where the test accepts nothing of a triangle.
-  bool MayBeAccepted(Index triangle) const
-  {
-    const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-    return (this->Values.GetTest(c[0]) > 0.0f) | (this->Values.GetTest(c[1]) > 0.0f) |
-      (this->Values.GetTest(c[2]) > 0.0f);
-  }
+  /// Appends those of triangles, the lowest level first.
+  void Add(const std::vector<CrossedTriangle>& crossed, std::vector<LineCrossing>& crossings) const;
 
-  /// Appends those of a triangle, the lowest level first.
-  void Add(const CrossedTriangle& crossed, std::vector<LineCrossing>& crossings) const;
+  /// The same but for triangles of which the test accepts nothing.
+  void AddAccepted(
+    const std::vector<CrossedTriangle>& crossed, std::vector<LineCrossing>& crossings) const;
 
   /// Moves crossings to where the cubics with the slopes of the field at the ends of edges are 0.
   void UseSlopes(const vtkNPRLineDefinition& definition, const LineView& view,
@@ -57,6 +53,8 @@ public:
   void SetTests(std::vector<LineCrossing>& crossings) const;
 
 private:
+  bool MayBeAccepted(Index triangle) const;
+  void Add(const CrossedTriangle& crossed, std::vector<LineCrossing>& crossings) const;
   void AddAtLevel(Index triangle, std::size_t level, std::vector<LineCrossing>& crossings) const;
   void AddByAxes(const CrossedTriangle& crossed, std::vector<LineCrossing>& crossings) const;
 

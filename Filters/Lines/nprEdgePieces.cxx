@@ -122,6 +122,13 @@ void AddJumpPiecesOfEdge(const LineSurface& surface, const FieldValues& values, 
       places.push_back(GetPlace(surface, values, *h, sides.size() - 1));
     }
   }
+  // Mostly there is one value on all of both sides.
+  if (places.empty() &&
+    std::all_of(sides.begin(), sides.end(),
+      [&sides](const Side& side) { return side.Positive[0] == sides[0].Positive[0]; }))
+  {
+    return;
+  }
   std::stable_sort(places.begin(), places.end(),
     [](const Place& a, const Place& b) { return a.FromLow < b.FromLow; });
   for (std::size_t i = 0; i < places.size(); ++i)

@@ -22,11 +22,11 @@ Eigen::Vector3f ToEigen(const std::array<float, 3>& vector)
 }
 
 //------------------------------------------------------------------------------
-float FieldAxes::MoveOff(float value, const std::array<float, 3>& axis, bool even)
+float FieldAxes::MakeField(float value, const std::array<float, 3>& axis, bool even)
 {
   if (value != 0.0f)
   {
-    return value;
+    return std::isinf(value) ? std::numeric_limits<float>::quiet_NaN() : value;
   }
   constexpr float slightly = std::numeric_limits<float>::min();
   const auto component =
@@ -39,53 +39,58 @@ float FieldAxes::ComputeFall(Index point) const
 {
   // The gradient that explains best how much the field rises to each neighbour, by its distance.
   const TriangleMesh& mesh = this->Surface.GetMesh();
-  const AxisPoint& here = this->Points[point];
   const Eigen::Vector3f place = mesh.GetPoint(point);
-  const Eigen::Vector3f axis = ToEigen(here.Axis);
-  const Eigen::Vector3f across = ToEigen(here.Normal).cross(axis);
-  // In double precision, so that the order of the neighbours does not show.
-  double xx = 0.0;
-  double xy = 0.0;
-  double yy = 0.0;
-  double rx = 0.0;
-  double ry = 0.0;
-  const auto add = [&](Index neighbour)
+  const AxisPoint& at = this->Points[point];
+  const Eigen::Vector3f side = ToEigen(at.Normal).cross(ToEigen(at.Axis));
+  const Lanes zero = {};
+  const AxisPoints here = { { zero + at.Axis[0], zero + at.Axis[1], zero + at.Axis[2] },
+    zero + at.Field, { zero + at.Normal[0], zero + at.Normal[1], zero + at.Normal[2] } };
+  const Vector3<Lanes> across = { zero + side[0], zero + side[1], zero + side[2] };
+  // Summed in double precision, so that the order of the neighbours does not show.
+  LaneSum xx;
+  LaneSum xy;
+  LaneSum yy;
+  LaneSum rx;
+  LaneSum ry;
+  const auto addRow = [&](const std::array<Index, NumberOfLanes>& neighbours)
   {
-    const AxisPoint& there = this->Points[neighbour];
+    const auto getEdge = [&](int c)
+    { return MakeLanes([&](int i) { return mesh.GetPoint(neighbours[i])[c] - place[c]; }); };
+    const Vector3<Lanes> edge = { getEdge(0), getEdge(1), getEdge(2) };
+    const AxisPoints there = this->Load(neighbours);
     const Relation relation = Compare(here, there);
-    const Eigen::Vector3f edge = mesh.GetPoint(neighbour) - place;
-    const float square = edge.squaredNorm();
-    if (!relation.AreComparable || !(square > 0.0f))
-    {
-      return;
-    }
-    const double x = edge.dot(axis);
-    const double y = edge.dot(across);
-    const double weight = 1.0 / square;
-    const double rise = weight * (Turn(there.Field, relation.Cosine) - here.Field);
-    xx += weight * x * x;
-    xy += weight * x * y;
-    yy += weight * y * y;
-    rx += rise * x;
-    ry += rise * y;
+    const Lanes square = Dot(edge, edge);
+    const Lanes counts = square > zero ? relation.AreComparable : zero;
+    const Lanes weight = counts > zero ? Lanes(1.0f / square) : zero;
+    const Lanes x = Dot(edge, here.Axis);
+    const Lanes y = Dot(edge, across);
+    const Lanes rise = SignOf(relation.Cosine) * there.Field - here.Field;
+    const Lanes weighted = counts > zero ? Lanes(weight * rise) : zero;
+    const Lanes wx = weight * x;
+    xx.Add(wx * x);
+    xy.Add(wx * y);
+    yy.Add(weight * y * y);
+    rx.Add(weighted * x);
+    ry.Add(weighted * y);
   };
-  for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+  const Index* const end = this->Surface.NeighboursEnd(point);
+  for (const Index* row = this->Surface.NeighboursBegin(point); row < end; row += NumberOfLanes)
   {
-    // The next corner of each triangle: around a point these are all neighbours, each once, but for
-    // a last one at a seam.
-    const TriangleMesh::Triangle& c = mesh.GetTriangle(*t);
-    constexpr std::array<int, 5> ring = { 0, 1, 2, 0, 1 };
-    const int corner = (c[1] == point ? 1 : 0) + (c[2] == point ? 2 : 0);
-    const int last = ring[corner + 2];
-    add(c[ring[corner + 1]]);
-    if (this->Surface.GetTwin(3 * *t + last) == LineSurface::NoTwin)
+    std::array<Index, NumberOfLanes> neighbours;
+    for (int i = 0; i < NumberOfLanes; ++i)
     {
-      add(c[last]);
+      // The point itself adds nothing, for it is at no distance.
+      neighbours[i] = row + i < end ? row[i] : point;
     }
+    addRow(neighbours);
   }
   // Neighbours in all but one line say nothing.
-  const double determinant = xx * yy - xy * xy;
-  return determinant > LeastDeterminant ? static_cast<float>((ry * xy - rx * yy) / determinant)
-                                        : 0.0f;
+  const double sxx = xx.Get();
+  const double sxy = xy.Get();
+  const double syy = yy.Get();
+  const double determinant = sxx * syy - sxy * sxy;
+  return determinant > LeastDeterminant
+    ? static_cast<float>((ry.Get() * sxy - rx.Get() * syy) / determinant)
+    : 0.0f;
 }
 }

@@ -3,11 +3,12 @@
 #ifndef nprFieldAxes_h
 #define nprFieldAxes_h
 
+#include "nprLanes.h"
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace npr
 {
@@ -15,7 +16,7 @@ namespace npr
 struct alignas(32) AxisPoint
 {
   std::array<float, 3> Axis; ///< a unit vector in the tangent plane, or 0 where there is none
-  float Field;               ///< never 0, see FieldAxes::MoveOff()
+  float Field; ///< never 0 nor infinite, see FieldAxes::MakeField(); perhaps not a number
   std::array<float, 3> Normal;
   float Bound; ///< > 0 where, as far as is known without the test, a line may be
 };
@@ -48,23 +49,48 @@ public:
   {
   }
 
-  /// A value of exactly 0 counts as if it lay slightly off, always to the same side in space. Of an
-  /// even field that is the positive side.
-  static float MoveOff(float value, const std::array<float, 3>& axis, bool even);
+  /// What stands for a value of the field. Exactly 0 counts as if it lay slightly off, always to
+  /// the same side in space; of an even field that is the positive side. What is infinite is no
+  /// number.
+  static float MakeField(float value, const std::array<float, 3>& axis, bool even);
 
   /// The edges of a triangle along which the field changes its sign: bit e for edge e. 0 where, as
-  /// far as is known without the test, no line may be.
+  /// far as is known without the test, no line may be, or where the field is not a number.
   unsigned int FindCrossed(Index triangle) const
   {
-    // Signs are as good as random, so that branches would be slow.
     const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-    const AxisPoint& p0 = this->Points[c[0]];
-    const AxisPoint& p1 = this->Points[c[1]];
-    const AxisPoint& p2 = this->Points[c[2]];
-    const bool mayBe = (p0.Bound > 0.0f) | (p1.Bound > 0.0f) | (p2.Bound > 0.0f);
-    return mayBe && (MayCross(p0, p1) | MayCross(p1, p2) | MayCross(p2, p0))
-      ? this->IsCrossed(p0, p1) | this->IsCrossed(p1, p2) << 1 | this->IsCrossed(p2, p0) << 2
-      : 0u;
+    const bool mayBe = (this->Points[c[0]].Bound > 0.0f) | (this->Points[c[1]].Bound > 0.0f) |
+      (this->Points[c[2]].Bound > 0.0f);
+    // Signs are as good as random, so that branches would be slow: all edges at once.
+    constexpr std::array<int, 3> next = { 1, 2, 0 };
+    unsigned int crossed = 0;
+    for (int first = 0; first < 3; first += NumberOfLanes)
+    {
+      std::array<Index, NumberOfLanes> from;
+      std::array<Index, NumberOfLanes> to;
+      for (int i = 0; i < NumberOfLanes; ++i)
+      {
+        const int edge = std::min(first + i, 2);
+        from[i] = c[edge];
+        to[i] = c[next[edge]];
+      }
+      std::array<float, NumberOfLanes> row;
+      Store(this->IsCrossed(this->Load(from), this->Load(to)), row.data());
+      for (int i = 0; i < NumberOfLanes && first + i < 3; ++i)
+      {
+        crossed |= static_cast<unsigned int>(row[i]) << (first + i);
+      }
+    }
+    return mayBe * crossed;
+  }
+
+  /// Starts to load what FindCrossed() will read.
+  void PrefetchTriangle(Index triangle) const
+  {
+    for (const Index point : this->Surface.GetMesh().GetTriangle(triangle))
+    {
+      Prefetch(&this->Points[point]);
+    }
   }
 
   /// Whether, as far as is known without the test, a line may be at a point.
@@ -73,51 +99,70 @@ public:
   /// How fast the field falls along the axis at a point: minus its derivative, from the values at
   /// the neighbours by least squares. 0 where too few have axes that are comparable.
   float ComputeFall(Index point) const;
+  /// Starts to load what ComputeFall() will read.
+  void PrefetchNeighbours(Index point) const
+  {
+    for (const Index* neighbour = this->Surface.NeighboursBegin(point);
+         neighbour != this->Surface.NeighboursEnd(point); ++neighbour)
+    {
+      Prefetch(&this->Points[*neighbour]);
+      Prefetch(&this->Surface.GetMesh().GetPoint(*neighbour));
+    }
+  }
 
 private:
-  using Vector = std::array<float, 3>;
   // Of axes that are closer to parallel than to right angles.
   static constexpr float LeastCosine = 0.70710678f;
-  // No turn by less than a right angle takes a cosine above this below -LeastCosine.
-  static constexpr float SureCosine = 1.0f - LeastCosine;
 
-  static float Dot(const Vector& a, const Vector& b)
+  // Points, one in each lane.
+  struct AxisPoints
   {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    Vector3<Lanes> Axis;
+    Lanes Field;
+    Vector3<Lanes> Normal;
+  };
+  AxisPoints Load(const std::array<Index, NumberOfLanes>& points) const
+  {
+    std::array<const float*, NumberOfLanes> axes;
+    std::array<const float*, NumberOfLanes> normals;
+    for (int i = 0; i < NumberOfLanes; ++i)
+    {
+      axes[i] = this->Points[points[i]].Axis.data();
+      normals[i] = this->Points[points[i]].Normal.data();
+    }
+    const std::array<Lanes, 4> axis = LoadColumns(axes);
+    const std::array<Lanes, 4> normal = LoadColumns(normals);
+    return { { axis[0], axis[1], axis[2] }, axis[3], { normal[0], normal[1], normal[2] } };
   }
 
-  /// A number, turned over where another is negative.
-  static float Turn(float number, float by) { return std::copysign(1.0f, by) * number; }
-
-  // False for most edges without a crossing, and needs no normals.
-  bool MayCross(const AxisPoint& a, const AxisPoint& b) const
-  {
-    const float cosine = Dot(a.Axis, b.Axis);
-    return (Turn(Turn(cosine, a.Field), b.Field) <= SureCosine) | this->Even;
-  }
   /// How two axes are to each other.
   struct Relation
   {
-    float Cosine; ///< of the angle between them, in one plane, times a positive number
-    bool AreComparable;
+    Lanes Cosine;        ///< of the angle between them, in one plane, times a positive number
+    Lanes AreComparable; ///< 1 or 0
   };
-  static Relation Compare(const AxisPoint& a, const AxisPoint& b)
+  static Relation Compare(const AxisPoints& a, const AxisPoints& b)
   {
     // After the shortest turn from one tangent plane to the other, in closed form, times a scale.
     // Both ways round alike, for nothing here depends on the order of the points.
-    const float normals = Dot(a.Normal, b.Normal);
-    const float scale = 1.0f + normals;
-    const float cosine =
+    const Lanes zero = {};
+    const Lanes normals = Dot(a.Normal, b.Normal);
+    const Lanes scale = 1.0f + normals;
+    const Lanes cosine =
       Dot(a.Axis, b.Axis) * scale - Dot(a.Axis, b.Normal) * Dot(b.Axis, a.Normal);
-    return { cosine, normals >= 0.0f && std::abs(cosine) > LeastCosine * scale };
+    const Lanes size = SignOf(cosine) * cosine;
+    const Lanes areClose = size > LeastCosine * scale ? zero + 1.0f : zero;
+    return { cosine, normals >= zero ? areClose : zero };
   }
 
   // 1 or 0.
-  unsigned int IsCrossed(const AxisPoint& a, const AxisPoint& b) const
+  Lanes IsCrossed(const AxisPoints& a, const AxisPoints& b) const
   {
+    const Lanes zero = {};
     const Relation relation = Compare(a, b);
-    const float turn = this->Even ? 1.0f : relation.Cosine;
-    return relation.AreComparable && Turn(Turn(a.Field, b.Field), turn) < 0.0f ? 1u : 0u;
+    const Lanes product = a.Field * SignOf(b.Field);
+    const Lanes turned = this->Even ? product : Lanes(product * SignOf(relation.Cosine));
+    return turned < zero ? relation.AreComparable : zero;
   }
 
   const LineSurface& Surface;

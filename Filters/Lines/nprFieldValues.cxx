@@ -153,7 +153,7 @@ void FieldValues::SetAxes(Index begin, Index end)
       point.Axis = { axes[0][i], axes[1][i], axes[2][i] };
       point.Bound = 1.0f;
     }
-    point.Field = FieldAxes::MoveOff(this->Field[i], point.Axis, isEven);
+    point.Field = FieldAxes::MakeField(this->Field[i], point.Axis, isEven);
   }
 }
 
@@ -208,60 +208,63 @@ void FieldValues::EvaluateTests()
   vtkSMPTools::For(0, (this->NumberOfBlocks + BlocksOfSpan - 1) / BlocksOfSpan,
     [this](vtkIdType begin, vtkIdType end)
     {
-      std::vector<Index> points;
+      std::array<Index, BlocksOfSpan * LineClusters::PointsOfBlock> points;
       for (Index span = static_cast<Index>(begin); span < end; ++span)
       {
-        points.clear();
+        std::size_t count = 0;
         const Index last = std::min((span + 1) * BlocksOfSpan, this->NumberOfBlocks);
         for (Index block = span * BlocksOfSpan; block < last; ++block)
         {
-          this->TakeTestPoints(block, points);
+          count += this->TakeTestPoints(block, points.data() + count);
         }
-        if (!points.empty())
+        if (count != 0)
         {
-          this->EvaluateTests(points);
+          this->EvaluateTests(points.data(), count);
         }
       }
     });
 }
 
 //------------------------------------------------------------------------------
-// Appends the points of a block whose test is required, and forgets that it was.
-void FieldValues::TakeTestPoints(Index block, std::vector<Index>& points)
+// Writes the points of a block whose test is required, and forgets that it was. Which these are is
+// as good as random, so that branches would be slow.
+std::size_t FieldValues::TakeTestPoints(Index block, Index* points)
 {
   if (this->TestBlocks[block].load(std::memory_order_relaxed) == 0)
   {
-    return;
+    return 0;
   }
   this->TestBlocks[block].store(0, std::memory_order_relaxed);
+  std::size_t count = 0;
   const Index end = std::min((block + 1) * LineClusters::PointsOfBlock, this->NumberOfPoints);
   for (Index point = block * LineClusters::PointsOfBlock; point < end; ++point)
   {
-    if (this->TestPoints[point].load(std::memory_order_relaxed) != 0)
-    {
-      this->TestPoints[point].store(0, std::memory_order_relaxed);
-      points.push_back(point);
-    }
+    points[count] = point;
+    count += this->TestPoints[point].load(std::memory_order_relaxed);
+    this->TestPoints[point].store(0, std::memory_order_relaxed);
   }
+  return count;
 }
 
 //------------------------------------------------------------------------------
-void FieldValues::EvaluateTests(const std::vector<Index>& points)
+void FieldValues::EvaluateTests(const Index* points, std::size_t count)
 {
   std::vector<float> fall;
   if (this->Axes && this->Definition->IsMaximum())
   {
-    fall.reserve(points.size());
-    for (const Index point : points)
+    fall.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
     {
+      constexpr std::size_t ahead = 4;
+      this->Axes->PrefetchNeighbours(points[std::min(i + ahead, count - 1)]);
       // Where no line may be, the test fails without it.
-      fall.push_back(this->Axes->MayBeAt(point) ? this->Axes->ComputeFall(point) : 0.0f);
+      fall.push_back(this->Axes->MayBeAt(points[i]) ? this->Axes->ComputeFall(points[i]) : 0.0f);
     }
   }
-  std::vector<float> test(points.size());
-  this->Definition->EvaluateTest(this->Surface, this->View, points.data(),
-    static_cast<vtkIdType>(points.size()), fall.empty() ? nullptr : fall.data(), test.data());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::array<float, BlocksOfSpan * LineClusters::PointsOfBlock> test;
+  this->Definition->EvaluateTest(this->Surface, this->View, points, static_cast<vtkIdType>(count),
+    fall.empty() ? nullptr : fall.data(), test.data());
+  for (std::size_t i = 0; i < count; ++i)
   {
     this->Test[points[i]] = test[i];
   }

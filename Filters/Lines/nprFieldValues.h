@@ -86,8 +86,8 @@ private:
   void SetAxes(Index begin, Index end);
   void SetBlockSide(Index begin, Index end);
   void RequireAroundTests();
-  void TakeTestPoints(Index block, std::vector<Index>& points);
-  void EvaluateTests(const std::vector<Index>& points);
+  std::size_t TakeTestPoints(Index block, Index* points);
+  void EvaluateTests(const Index* points, std::size_t count);
 
   const LineSurface& Surface;
   const LineClusters& Clusters;

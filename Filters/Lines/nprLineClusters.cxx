@@ -3,6 +3,7 @@
 #include "nprLineClusters.h"
 
 #include "nprArrayNames.h"
+#include "nprLanes.h"
 
 #include <vtkSMPTools.h>
 
@@ -188,54 +189,79 @@ void LineClusters::Bounds::Measure(const LineSurface& surface, Index begin, Inde
 }
 
 //------------------------------------------------------------------------------
-bool LineClusters::Bounds::MayFace(
-  const LineView& view, const std::array<float, 2>& range, Index i) const
+// Appends those from begin to end where n.v may be in the range.
+void LineClusters::Bounds::FindFacing(const LineView& view, const std::array<float, 2>& range,
+  Index begin, Index end, std::vector<Index>& found) const
 {
-  const Eigen::Vector3f eye = Eigen::Vector3f(view.Eye[0], view.Eye[1], view.Eye[2]) -
-    view.Perspective *
-      Eigen::Vector3f(this->Centres[0][i], this->Centres[1][i], this->Centres[2][i]);
-  const float distance = eye.norm();
-  const float radius = view.Perspective * this->Radii[i];
-  // Written so that what is not a number may be anything.
-  if (!(distance > radius) || !(this->Cosines[i] > -1.0f))
+  for (Index first = begin; first < end; first += NumberOfLanes)
   {
-    return true;
+    const int count = static_cast<int>(std::min<Index>(NumberOfLanes, end - first));
+    std::array<float, NumberOfLanes> may;
+    Store(this->MayFace(view, range,
+            [first, count](const std::vector<float>& values)
+            {
+              return count == NumberOfLanes ? Load<Lanes>(values.data() + first)
+                                            : LoadFirst<Lanes>(values.data() + first, count);
+            }),
+      may.data());
+    for (int i = 0; i < count; ++i)
+    {
+      if (may[i] != 0.0f)
+      {
+        found.push_back(first + i);
+      }
+    }
   }
-  // How far a normal may be from the axis, and the direction of the eye from that at the centre, in
-  // sum; and how far apart the axis and the eye are at the centre.
-  const float spreadSine = radius / distance;
-  const float spreadCosine = std::sqrt(1.0f - spreadSine * spreadSine);
-  const float cosine = this->Cosines[i] * spreadCosine - this->Sines[i] * spreadSine;
-  const float sine = this->Sines[i] * spreadCosine + this->Cosines[i] * spreadSine;
-  if (!(sine >= 0.0f))
-  {
-    return true;
-  }
-  const float middle =
-    (this->Axes[0][i] * eye.x() + this->Axes[1][i] * eye.y() + this->Axes[2][i] * eye.z()) /
-    distance;
-  const float across = std::sqrt(std::max(0.0f, 1.0f - middle * middle));
-  const float low = middle <= -cosine ? -1.0f : middle * cosine - across * sine;
-  const float high = middle >= cosine ? 1.0f : middle * cosine + across * sine;
-  return low <= range[1] + Margin && high >= range[0] - Margin;
 }
 
 //------------------------------------------------------------------------------
-void LineClusters::FindFacing(const LineView& view, const std::array<float, 2>& range, Index group,
-  std::vector<Index>& clusters) const
+// Not 0 in the lanes where n.v may be in the range. Comparisons are written so that what is not a
+// number may be anything.
+template<typename Loader>
+Lanes LineClusters::Bounds::MayFace(
+  const LineView& view, const std::array<float, 2>& range, const Loader& load) const
 {
-  if (!this->Groups.MayFace(view, range, group))
+  const Lanes zero = {};
+  const Lanes one = zero + 1.0f;
+  const Vector3<Lanes> eye = { view.Eye[0] - view.Perspective * load(this->Centres[0]),
+    view.Eye[1] - view.Perspective * load(this->Centres[1]),
+    view.Eye[2] - view.Perspective * load(this->Centres[2]) };
+  const Vector3<Lanes> axis = { load(this->Axes[0]), load(this->Axes[1]), load(this->Axes[2]) };
+  const Lanes cosineOfCone = load(this->Cosines);
+  const Lanes sineOfCone = load(this->Sines);
+  const Lanes distance = SquareRoot(Dot(eye, eye));
+  const Lanes radius = view.Perspective * load(this->Radii);
+  const Lanes perDistance = 1.0f / distance;
+  // How far a normal may be from the axis, and the direction of the eye from that at the centre, in
+  // sum; and how far apart the axis and the eye are at the centre.
+  const Lanes spreadSine = radius * perDistance;
+  const Lanes spreadRest = one - spreadSine * spreadSine;
+  const Lanes spreadCosine = SquareRoot(Lanes(spreadRest > zero ? spreadRest : zero));
+  const Lanes cosine = cosineOfCone * spreadCosine - sineOfCone * spreadSine;
+  const Lanes sine = sineOfCone * spreadCosine + cosineOfCone * spreadSine;
+  const Lanes middle = Dot(axis, eye) * perDistance;
+  const Lanes acrossRest = one - middle * middle;
+  const Lanes across = SquareRoot(Lanes(acrossRest > zero ? acrossRest : zero));
+  const Lanes low = middle <= -cosine ? -one : Lanes(middle * cosine - across * sine);
+  const Lanes high = middle >= cosine ? one : Lanes(middle * cosine + across * sine);
+  const Lanes inRange =
+    low <= range[1] + Margin ? Lanes(high >= range[0] - Margin ? one : zero) : zero;
+  const Lanes known =
+    distance > radius ? Lanes(cosineOfCone > -one ? Lanes(sine >= zero ? one : zero) : zero) : zero;
+  return known > zero ? inRange : one;
+}
+
+//------------------------------------------------------------------------------
+void LineClusters::FindFacing(const LineView& view, const std::array<float, 2>& range,
+  Index firstGroup, Index lastGroup, std::vector<Index>& clusters) const
+{
+  std::vector<Index> groups;
+  this->Groups.FindFacing(view, range, firstGroup, lastGroup, groups);
+  for (const Index group : groups)
   {
-    return;
-  }
-  const Index first = group * ClustersOfGroup;
-  const Index last = std::min(first + ClustersOfGroup, this->NumberOfClusters);
-  for (Index cluster = first; cluster < last; ++cluster)
-  {
-    if (this->Clusters.MayFace(view, range, cluster))
-    {
-      clusters.push_back(cluster);
-    }
+    const Index first = group * ClustersOfGroup;
+    this->Clusters.FindFacing(
+      view, range, first, std::min(first + ClustersOfGroup, this->NumberOfClusters), clusters);
   }
 }
 }

@@ -3,6 +3,7 @@
 #ifndef nprLineClusters_h
 #define nprLineClusters_h
 
+#include "nprLanes.h"
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
@@ -61,9 +62,9 @@ public:
     return this->BlocksAround.data() + this->AroundOffsets[block + 1];
   }
 
-  /// Appends the clusters of a group where n.v may be somewhere in [range[0], range[1]].
-  void FindFacing(const LineView& view, const std::array<float, 2>& range, Index group,
-    std::vector<Index>& clusters) const;
+  /// Appends the clusters of groups where n.v may be somewhere in [range[0], range[1]].
+  void FindFacing(const LineView& view, const std::array<float, 2>& range, Index firstGroup,
+    Index lastGroup, std::vector<Index>& clusters) const;
 
 private:
   /// Of all clusters, or of all groups.
@@ -76,7 +77,11 @@ private:
     std::vector<float> Sines;
     void Resize(std::size_t size);
     void Measure(const LineSurface& surface, Index begin, Index end, Index place);
-    bool MayFace(const LineView& view, const std::array<float, 2>& range, Index i) const;
+    void FindFacing(const LineView& view, const std::array<float, 2>& range, Index begin, Index end,
+      std::vector<Index>& found) const;
+    template<typename Loader>
+    Lanes MayFace(
+      const LineView& view, const std::array<float, 2>& range, const Loader& load) const;
   };
   void FindBlocks();
   void FindBlocksAround();

@@ -33,7 +33,8 @@ void ForEach(Elements& elements, const Work& work)
     });
 }
 
-// Not 0 where a line runs through a triangle.
+// Not 0 where a line runs through a triangle. Where lines are is as good as random, so that
+// branches would be slow.
 unsigned int FindCrossedBySides(const TriangleMesh& mesh, Index triangle, const FieldValues& values)
 {
   constexpr unsigned int any = 7;
@@ -42,26 +43,18 @@ unsigned int FindCrossedBySides(const TriangleMesh& mesh, Index triangle, const 
   const FieldValues::Side first = sides[c[0]];
   const FieldValues::Side second = sides[c[1]];
   const FieldValues::Side third = sides[c[2]];
-  return ((second != first) | (third != first)) && first != FieldValues::NotANumber &&
-      second != FieldValues::NotANumber && third != FieldValues::NotANumber
-    ? any
-    : 0;
+  const bool areNumbers = (first != FieldValues::NotANumber) & (second != FieldValues::NotANumber) &
+    (third != FieldValues::NotANumber);
+  return (((second != first) | (third != first)) & areNumbers) * any;
 }
 
-// As FieldAxes::FindCrossed(), where a line runs through a triangle, else 0. Sides say only where
-// values are numbers: the sign belongs to an axis.
-unsigned int FindCrossedByAxes(const TriangleMesh& mesh, Index triangle, const FieldValues& values)
+// As FieldAxes::FindCrossed(), where a line runs through a triangle and so crosses two of its
+// edges, else 0.
+unsigned int FindCrossedByAxes(Index triangle, const FieldValues& values)
 {
+  constexpr unsigned int twoEdges = 1u << 3 | 1u << 5 | 1u << 6;
   const unsigned int edges = values.GetAxes()->FindCrossed(triangle);
-  if (edges != 3 && edges != 5 && edges != 6)
-  {
-    return 0;
-  }
-  const TriangleMesh::Triangle& c = mesh.GetTriangle(triangle);
-  return std::all_of(c.begin(), c.end(),
-           [&](Index point) { return values.GetSide(point) != FieldValues::NotANumber; })
-    ? edges
-    : 0;
+  return (twoEdges >> edges & 1u) * edges;
 }
 }
 
@@ -133,22 +126,7 @@ void LineExtractor::Extract(
   if (this->Definition.HasField())
   {
     values.Start(this->Definition, view, this->Levels);
-    if (this->Definition.FollowsJumps())
-    {
-      this->RequireSeams(values);
-    }
-    if (options.Strategy == LineStrategy::Random && this->Definition.IsViewDependent())
-    {
-      values.Evaluate();
-      this->FindCrossedAtRandom(options.SeedShare, values);
-    }
-    else
-    {
-      this->FindClusters(view, options.Strategy, values);
-      values.Evaluate();
-      this->FindCrossed(values);
-    }
-    this->MakeCrossings(view, options.UseSlopes, values, segments);
+    this->AddCrossings(view, options, values, segments);
     if (this->Definition.FollowsJumps())
     {
       AddJumpPieces(this->Surface, values, segments.Pieces);
@@ -159,6 +137,85 @@ void LineExtractor::Extract(
   {
     RemoveDoubles(this->Surface, segments);
   }
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::AddCrossings(
+  const LineView& view, const LineOptions& options, FieldValues& values, LineSegments& segments)
+{
+  if (this->Definition.FollowsJumps())
+  {
+    this->RequireSeams(values);
+  }
+  const CrossingMaker maker(this->Surface, this->Levels, values);
+  const bool isTested = this->Definition.HasTest();
+  const auto makeCrossings = [&](Part& part)
+  {
+    part.Crossings.clear();
+    if (isTested)
+    {
+      maker.AddAccepted(part.Crossed, part.Crossings);
+    }
+    else
+    {
+      maker.Add(part.Crossed, part.Crossings);
+    }
+    if (options.UseSlopes && this->HasSlopes)
+    {
+      maker.UseSlopes(this->Definition, view, part.Crossings);
+    }
+    if (isTested)
+    {
+      maker.SetTests(part.Crossings);
+    }
+  };
+  // While what was found is in the cache.
+  const auto goOn = [&](Part& part)
+  {
+    this->DropGhosts(part.Crossed);
+    if (isTested)
+    {
+      this->RequireTests(part.Crossed, values);
+    }
+    else
+    {
+      makeCrossings(part);
+    }
+  };
+  if (options.Strategy == LineStrategy::Random && this->Definition.IsViewDependent())
+  {
+    values.Evaluate();
+    this->FindCrossedAtRandom(options.SeedShare, values);
+    ForEach(this->Parts, [&](Index p) { goOn(this->Parts[p]); });
+  }
+  else
+  {
+    this->FindClusters(view, options.Strategy, values);
+    values.Evaluate();
+    ForEach(this->Parts,
+      [&](Index p)
+      {
+        this->FindCrossed(values, this->Parts[p]);
+        goOn(this->Parts[p]);
+      });
+  }
+  if (isTested)
+  {
+    values.EvaluateTests();
+    ForEach(this->Parts, [&](Index p) { makeCrossings(this->Parts[p]); });
+  }
+  std::vector<std::size_t> offsets(this->Parts.size() + 1, 0);
+  for (std::size_t p = 0; p < this->Parts.size(); ++p)
+  {
+    offsets[p + 1] = offsets[p] + this->Parts[p].Crossings.size();
+  }
+  segments.Crossings.resize(offsets.back());
+  ForEach(this->Parts,
+    [&](Index p)
+    {
+      const std::vector<LineCrossing>& crossings = this->Parts[p].Crossings;
+      std::copy(crossings.begin(), crossings.end(), segments.Crossings.begin() + offsets[p]);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -183,20 +240,17 @@ void LineExtractor::FindClusters(const LineView& view, LineStrategy strategy, Fi
       std::vector<Index>& clusters = this->Parts[p].Clusters;
       clusters.clear();
       const Index last = std::min((p + 1) * GroupsOfPart, this->Clusters.GetNumberOfGroups());
-      for (Index group = p * GroupsOfPart; group < last; ++group)
+      if (isBounded)
       {
-        if (isBounded)
-        {
-          this->Clusters.FindFacing(view, range, group, clusters);
-          continue;
-        }
-        const Index first = group * LineClusters::ClustersOfGroup;
+        this->Clusters.FindFacing(view, range, p * GroupsOfPart, last, clusters);
+      }
+      else
+      {
         const Index end =
-          std::min(first + LineClusters::ClustersOfGroup, this->Clusters.GetNumberOfClusters());
-        for (Index cluster = first; cluster < end; ++cluster)
-        {
-          clusters.push_back(cluster);
-        }
+          std::min(last * LineClusters::ClustersOfGroup, this->Clusters.GetNumberOfClusters());
+        clusters.resize(end - p * GroupsOfPart * LineClusters::ClustersOfGroup);
+        std::iota(
+          clusters.begin(), clusters.end(), p * GroupsOfPart * LineClusters::ClustersOfGroup);
       }
       if (this->HasCandidates)
       {
@@ -229,53 +283,57 @@ bool LineExtractor::IsOnOneSide(Index cluster, const FieldValues& values) const
 }
 
 //------------------------------------------------------------------------------
-void LineExtractor::FindCrossed(FieldValues& values)
+void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
 {
   const TriangleMesh& mesh = this->Surface.GetMesh();
-  ForEach(this->Parts,
-    [&](Index p)
+  part.Crossed.clear();
+  std::array<CrossedTriangle, LineClusters::TrianglesOfCluster> found;
+  // `at` gives the number of a triangle, for 0 <= i < count.
+  const auto look = [&](Index count, const auto& at, const auto& findCrossed)
+  {
+    std::size_t size = 0;
+    for (Index i = 0; i < count; ++i)
     {
-      std::vector<CrossedTriangle>& crossed = this->Parts[p].Crossed;
-      crossed.clear();
-      const auto look = [&](Index triangle, unsigned int edges)
-      {
-        if (edges != 0)
-        {
-          crossed.push_back({ triangle, edges });
-        }
-      };
-      for (const Index cluster : this->Parts[p].Clusters)
-      {
-        if (this->IsOnOneSide(cluster, values))
-        {
-          continue;
-        }
-        const Index first = this->Clusters.GetFirstTriangle(cluster);
-        const Index end = this->Clusters.GetTriangleEnd(cluster);
-        if (values.GetAxes())
-        {
-          for (Index t = first; t < end; ++t)
-          {
-            look(t, FindCrossedByAxes(mesh, t, values));
-          }
-        }
-        else if (this->HasCandidates)
-        {
-          for (Index i = this->CandidateOffsets[cluster]; i < this->CandidateOffsets[cluster + 1];
-               ++i)
-          {
-            look(this->Candidates[i], FindCrossedBySides(mesh, this->Candidates[i], values));
-          }
-        }
-        else
-        {
-          for (Index t = first; t < end; ++t)
-          {
-            look(t, FindCrossedBySides(mesh, t, values));
-          }
-        }
-      }
-    });
+      const Index triangle = at(i);
+      const unsigned int edges = findCrossed(triangle);
+      found[size] = { triangle, edges };
+      size += edges != 0;
+    }
+    part.Crossed.insert(part.Crossed.end(), found.begin(), found.begin() + size);
+  };
+  const auto bySides = [&](Index triangle) { return FindCrossedBySides(mesh, triangle, values); };
+  const Index lastTriangle = mesh.GetNumberOfTriangles() - 1;
+  const auto byAxes = [&](Index triangle)
+  {
+    constexpr Index ahead = 8;
+    values.GetAxes()->PrefetchTriangle(std::min(triangle + ahead, lastTriangle));
+    return FindCrossedByAxes(triangle, values);
+  };
+  for (const Index cluster : part.Clusters)
+  {
+    if (this->IsOnOneSide(cluster, values))
+    {
+      continue;
+    }
+    const Index first = this->Clusters.GetFirstTriangle(cluster);
+    const Index count = this->Clusters.GetTriangleEnd(cluster) - first;
+    const auto at = [first](Index i) { return first + i; };
+    if (values.GetAxes())
+    {
+      look(count, at, byAxes);
+    }
+    else if (this->HasCandidates)
+    {
+      const Index* const candidates = this->Candidates.data() + this->CandidateOffsets[cluster];
+      look(
+        this->CandidateOffsets[cluster + 1] - this->CandidateOffsets[cluster],
+        [candidates](Index i) { return candidates[i]; }, bySides);
+    }
+    else
+    {
+      look(count, at, bySides);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -292,7 +350,7 @@ void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
   const TriangleMesh& mesh = this->Surface.GetMesh();
   const auto findCrossed = [&](Index triangle)
   {
-    return values.GetAxes() ? FindCrossedByAxes(mesh, triangle, values)
+    return values.GetAxes() ? FindCrossedByAxes(triangle, values)
                             : FindCrossedBySides(mesh, triangle, values);
   };
   const auto ask = [&](Index triangle)
@@ -323,68 +381,27 @@ void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
 }
 
 //------------------------------------------------------------------------------
-void LineExtractor::MakeCrossings(
-  const LineView& view, bool useSlopes, FieldValues& values, LineSegments& segments)
+void LineExtractor::DropGhosts(std::vector<CrossedTriangle>& crossed) const
 {
   if (this->Surface.HasGhosts())
   {
-    for (Part& part : this->Parts)
+    crossed.erase(std::remove_if(crossed.begin(), crossed.end(),
+                    [this](const CrossedTriangle& triangle)
+                    { return this->Surface.IsGhost(triangle.Triangle); }),
+      crossed.end());
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineExtractor::RequireTests(
+  const std::vector<CrossedTriangle>& crossed, FieldValues& values) const
+{
+  for (const CrossedTriangle& triangle : crossed)
+  {
+    for (const Index corner : this->Surface.GetMesh().GetTriangle(triangle.Triangle))
     {
-      part.Crossed.erase(std::remove_if(part.Crossed.begin(), part.Crossed.end(),
-                           [this](const CrossedTriangle& crossed)
-                           { return this->Surface.IsGhost(crossed.Triangle); }),
-        part.Crossed.end());
+      values.RequireTest(corner);
     }
   }
-  const bool tested = this->Definition.HasTest();
-  if (tested)
-  {
-    ForEach(this->Parts,
-      [&](Index p)
-      {
-        for (const CrossedTriangle& crossed : this->Parts[p].Crossed)
-        {
-          for (const Index corner : this->Surface.GetMesh().GetTriangle(crossed.Triangle))
-          {
-            values.RequireTest(corner);
-          }
-        }
-      });
-    values.EvaluateTests();
-  }
-  const CrossingMaker maker(this->Surface, this->Levels, values);
-  ForEach(this->Parts,
-    [&](Index p)
-    {
-      Part& part = this->Parts[p];
-      part.Crossings.clear();
-      for (const CrossedTriangle& crossed : part.Crossed)
-      {
-        if (!tested || maker.MayBeAccepted(crossed.Triangle))
-        {
-          maker.Add(crossed, part.Crossings);
-        }
-      }
-      if (useSlopes && this->HasSlopes)
-      {
-        maker.UseSlopes(this->Definition, view, part.Crossings);
-      }
-      if (tested)
-      {
-        maker.SetTests(part.Crossings);
-      }
-    });
-  std::vector<std::size_t> offsets(this->Parts.size() + 1, 0);
-  for (std::size_t p = 0; p < this->Parts.size(); ++p)
-  {
-    offsets[p + 1] = offsets[p] + this->Parts[p].Crossings.size();
-  }
-  segments.Crossings.resize(offsets.back());
-  ForEach(this->Parts,
-    [&](Index p)
-    {
-      const std::vector<LineCrossing>& crossings = this->Parts[p].Crossings;
-      std::copy(crossings.begin(), crossings.end(), segments.Crossings.begin() + offsets[p]);
-    });
 }
 }

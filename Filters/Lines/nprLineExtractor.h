@@ -83,10 +83,12 @@ private:
   void RequireSeams(FieldValues& values) const;
   void FindClusters(const LineView& view, LineStrategy strategy, FieldValues& values);
   bool IsOnOneSide(Index cluster, const FieldValues& values) const;
-  void FindCrossed(FieldValues& values);
+  void AddCrossings(
+    const LineView& view, const LineOptions& options, FieldValues& values, LineSegments& segments);
+  void FindCrossed(const FieldValues& values, Part& part) const;
   void FindCrossedAtRandom(double share, FieldValues& values);
-  void MakeCrossings(
-    const LineView& view, bool useSlopes, FieldValues& values, LineSegments& segments);
+  void DropGhosts(std::vector<CrossedTriangle>& crossed) const;
+  void RequireTests(const std::vector<CrossedTriangle>& crossed, FieldValues& values) const;
 
   const LineSurface& Surface;
   const LineClusters& Clusters;

@@ -65,6 +65,10 @@ void RemoveDoubles(const LineSurface& surface, LineSegments& segments)
       add(piece.Nodes[0].From, piece.Nodes[1].From, crossings + i);
     }
   }
+  if (edges.size() < 2)
+  {
+    return;
+  }
   std::sort(edges.begin(), edges.end());
   std::vector<char> drop(segments.GetSize(), 0);
   for (std::size_t i = 1; i < edges.size(); ++i)

@@ -462,4 +462,35 @@ void LineSurface::BuildInnerEdges()
     }
   }
 }
+
+//------------------------------------------------------------------------------
+void LineSurface::BuildNeighbours()
+{
+  if (!this->NeighbourOffsets.empty())
+  {
+    return;
+  }
+  const Index size = this->Mesh.GetNumberOfPoints();
+  this->NeighbourOffsets.assign(1, 0);
+  this->NeighbourOffsets.reserve(size + 1);
+  this->Neighbours.reserve(this->GetNumberOfHalfEdges() + this->Seams.HalfEdges.size());
+  for (Index point = 0; point < size; ++point)
+  {
+    for (const Index* t = this->Mesh.IncidentBegin(point); t != this->Mesh.IncidentEnd(point); ++t)
+    {
+      // The next corner of each triangle: around a point these are all neighbours, each once, but
+      // for a last one at a seam.
+      const TriangleMesh::Triangle& c = this->Mesh.GetTriangle(*t);
+      constexpr std::array<int, 5> ring = { 0, 1, 2, 0, 1 };
+      const int corner = (c[1] == point ? 1 : 0) + (c[2] == point ? 2 : 0);
+      const int last = ring[corner + 2];
+      this->Neighbours.push_back(c[ring[corner + 1]]);
+      if (this->Twins[3 * *t + last] == NoTwin)
+      {
+        this->Neighbours.push_back(c[last]);
+      }
+    }
+    this->NeighbourOffsets.push_back(static_cast<Index>(this->Neighbours.size()));
+  }
+}
 }

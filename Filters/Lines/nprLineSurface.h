@@ -152,6 +152,18 @@ public:
   const EdgeList& GetInnerEdges() const { return this->InnerEdges; }
   void BuildInnerEdges();
 
+  /// The points that share an edge with a point: [Begin, End); made by the first call of
+  /// BuildNeighbours().
+  const Index* NeighboursBegin(Index point) const
+  {
+    return this->Neighbours.data() + this->NeighbourOffsets[point];
+  }
+  const Index* NeighboursEnd(Index point) const
+  {
+    return this->Neighbours.data() + this->NeighbourOffsets[point + 1];
+  }
+  void BuildNeighbours();
+
 private:
   struct Array
   {
@@ -174,6 +186,8 @@ private:
   std::unordered_map<Index, Index> OthersAtSeams;
   EdgeList Seams;
   EdgeList InnerEdges;
+  std::vector<Index> NeighbourOffsets;
+  std::vector<Index> Neighbours;
   std::array<std::vector<float>, 3> Coordinates;
   std::vector<Array> Arrays;
   std::map<std::string, std::vector<Index>> Regions;

@@ -65,9 +65,10 @@ struct ViewCurvature
 
 /// Front faces only: behind the contour the values are finite and have no meaning. `perspective`
 /// is 0 or the chosen unit of length over the unit of ToEye, for parallel and perspective
-/// projection.
+/// projection. Inlined, so that what the caller does not use is not computed.
 template<typename Real>
-ViewCurvature<Real> GetViewCurvature(const SeenPoint<Real>& p, float perspective)
+[[gnu::always_inline]] inline ViewCurvature<Real> GetViewCurvature(
+  const SeenPoint<Real>& p, float perspective)
 {
   // Added where something may be 0, at no cost where it is not.
   constexpr float tiny = std::numeric_limits<float>::min();

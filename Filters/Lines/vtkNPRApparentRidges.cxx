@@ -46,7 +46,7 @@ public:
 
   // `load` takes from a span what belongs to the points.
   template<typename Loader>
-  npr::ViewCurvature<npr::Lanes> Get(const Loader& load) const
+  [[gnu::always_inline]] npr::ViewCurvature<npr::Lanes> Get(const Loader& load) const
   {
     const float perspective = this->View.Perspective;
     npr::SeenPoint<npr::Lanes> point;
@@ -175,16 +175,8 @@ void vtkNPRApparentRidges::EvaluateTest(const npr::LineSurface& surface, const n
     {
       here[i] = points[first + std::min(i, size - 1)];
     }
-    const auto seen = all.Get(
-      [&here](const float* values)
-      {
-        Row row;
-        for (int i = 0; i < npr::NumberOfLanes; ++i)
-        {
-          row[i] = values[here[i]];
-        }
-        return npr::Load<npr::Lanes>(row.data());
-      });
+    const auto seen = all.Get([&here](const float* values)
+      { return npr::MakeLanes([&](int i) { return values[here[i]]; }); });
     const Row cosine = ToRow(seen.Cosine);
     const Row curvature = ToRow(seen.Curvature);
     const Row stretch = ToRow(seen.Stretch);

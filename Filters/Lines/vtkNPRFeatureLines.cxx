@@ -244,6 +244,10 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
     {
       surface.BuildInnerEdges();
     }
+    if (entry.Definition->IsMaximum())
+    {
+      surface.BuildNeighbours();
+    }
     entry.Extractor =
       std::make_unique<npr::LineExtractor>(surface, *internal.Clusters, *entry.Definition);
     entry.MTime = entry.Definition->GetMTime();
