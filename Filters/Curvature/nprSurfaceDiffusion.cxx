@@ -30,6 +30,9 @@ constexpr int NumberOfParts = 8;
 
 /// Of half a sum of two cotangents: a triangle's angle of 135 degrees on both sides has -1.
 constexpr double MostNegativeWeight = -0.5;
+/// Two angles of 11 degrees have as much. The ends of a short edge are in balance with each other
+/// long before it matters; with more weight they would be held back from all others, too.
+constexpr double LargestWeight = 5.0;
 
 /// What the operator of std::complex does, without its care for infinities, which costs a call.
 std::complex<float> Multiply(std::complex<float> a, std::complex<float> b)
@@ -107,7 +110,7 @@ SurfaceDiffusion::SurfaceDiffusion(const TriangleMesh& mesh, const Tuples<3>& no
           // Negative weights belong to the Laplacian where triangles are sheared; only those of
           // slivers are cut, which would throw values far beyond their neighbours'.
           weight = rotation.IsValid() && areas[i] > 0.0
-            ? std::max(weight, MostNegativeWeight) / areas[i]
+            ? std::clamp(weight, MostNegativeWeight, LargestWeight) / areas[i]
             : 0.0;
           if (weight != 0.0)
           {
@@ -128,6 +131,7 @@ SurfaceDiffusion::SurfaceDiffusion(const TriangleMesh& mesh, const Tuples<3>& no
     sum += areas[i] * this->Rates[i];
     area += areas[i];
   }
+  this->Areas.assign(areas.begin(), areas.end());
   this->MeanRate = area > 0.0 ? sum / area : 0.0;
 }
 
@@ -138,12 +142,27 @@ TangentFrame SurfaceDiffusion::GetFrame(Index point) const
 }
 
 //------------------------------------------------------------------------------
+// Points that are held back to a largest rate are as slow as if they had more area than they have.
+// This is how much more there seems to be in all, and how much longer all takes, so.
+double SurfaceDiffusion::GetHeatCapacity(double largestRate) const
+{
+  double capacity = 0.0;
+  double area = 0.0;
+  for (std::size_t i = 0; i < this->Areas.size(); ++i)
+  {
+    capacity += this->Areas[i] * std::max(1.0, this->Rates[i] / largestRate);
+    area += this->Areas[i];
+  }
+  return area > 0.0 && largestRate > 0.0 ? capacity / area : 1.0;
+}
+
+//------------------------------------------------------------------------------
 void SurfaceDiffusion::Smooth(Field& field, int spin, double radius, const Progress& progress) const
 {
-  const double time = 0.5 * radius * radius;
   // Points with up to half as much again as the mean rate are followed exactly; only smaller
   // triangles, which are in balance with their neighbourhood anyway, are held back.
   const double largestRate = 1.5 * this->MeanRate;
+  const double time = 0.5 * radius * radius * this->GetHeatCapacity(largestRate);
   const double wanted = std::ceil(time * largestRate / LargestStep);
   if (!(wanted >= 1.0))
   {

@@ -76,6 +76,8 @@ public:
     const Progress& progress = IgnoreProgress) const;
 
 private:
+  double GetHeatCapacity(double largestRate) const;
+
   struct Link
   {
     TriangleMesh::Index To;
@@ -87,7 +89,8 @@ private:
   std::vector<TriangleMesh::Index> Ends;    // behind each point's last link
   std::vector<Link> Links;
   std::vector<float> Rates; // sums of the weights' magnitudes
-  double MeanRate = 0.0;    // over the area
+  std::vector<float> Areas;
+  double MeanRate = 0.0; // over the area
   Tuples<3> Normals;
 };
 }
