@@ -286,11 +286,11 @@ double vtkNPRFeatureLines::GetStageSeconds(int stage) const
 int vtkNPRFeatureLines::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The triangles around those of the piece; and as many more as edges must hang together.
+  // The triangles around those of the piece, and as many more as definitions need.
   double rings = 1.0;
   for (const Internals::Entry& entry : this->Internal->Entries)
   {
-    rings = std::max(rings, std::ceil(entry.Definition->GetLeastRow()));
+    rings = std::max(rings, std::ceil(entry.Definition->GetReach()));
   }
   npr::RequestGhostLevels(inputVector[0]->GetInformationObject(0),
     outputVector->GetInformationObject(0), static_cast<int>(std::min(rings, 1000.0)));

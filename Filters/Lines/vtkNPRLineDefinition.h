@@ -150,6 +150,12 @@ public:
     return {};
   }
 
+  /// How many rings of triangles beyond those of a piece its lines depend on.
+  virtual double GetReach() const
+  {
+    return this->GetLeastRow();
+  }
+
   /// @name Calls before and after the work
   /// On the thread that updates the filter.
   ///@{

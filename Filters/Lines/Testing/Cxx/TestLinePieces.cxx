@@ -27,13 +27,17 @@ vtkSmartPointer<vtkPolyData> MakeRing()
 void TestPieces(Checks& check)
 {
   const auto surface = MakeRing();
-  for (const char* name : { "contours", "suggestive", "ridges", "apparent-ridges", "creases",
-         "boundaries", "contour-edges" })
+  for (const char* name : { "contours", "suggestive", "ridges", "apparent-ridges", "parabolic",
+         "mean-curvature", "creases", "boundaries", "contour-edges" })
   {
     vtkNew<vtkExtractPolyDataPiece> pieces;
     pieces->SetInputData(surface);
     vtkNew<vtkNPRFeatureLines> lines;
-    lines->AddDefinition(name)->SetParameter("angle", 10.0);
+    vtkNPRLineDefinition* const definition = lines->AddDefinition(name);
+    definition->SetParameter("angle", 10.0);
+    // What a piece can not know.
+    definition->SetParameter("smoothing", 0.0);
+    definition->SetParameter("region", 0.0);
     lines->SetCamera(MakeCamera({ 2.0, 1.7, 2.4 }));
     lines->SetLengthScale(1.0);
     lines->SetInputConnection(pieces->GetOutputPort());

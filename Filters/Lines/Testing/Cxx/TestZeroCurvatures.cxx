@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Parabolic lines and lines of zero mean curvature: on surfaces where they are known, and nowhere
-// on flat, round and cylindrical ones, also where their curvature is noisy.
+// on flat, round and cylindrical ones, also where their curvature is noisy; and on bumpy ones those
+// of the shape, not those around its bumps.
 #include "nprTrueCurves.h"
 
 #include "vtkNPRParabolicLines.h"
 #include "vtkNPRZeroMeanCurvature.h"
+
+#include <vtkMath.h>
+#include <vtkSmartPointer.h>
 
 #include <random>
 
@@ -53,6 +57,83 @@ void TestNoise(
 }
 }
 
+namespace
+{
+// By their own thresholds.
+std::vector<Chain> ExtractByDefault(vtkPolyData* surface, const char* name)
+{
+  const auto definition = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name));
+  return ExtractLines(surface, definition, 0.0);
+}
+
+// The radius of a torus is 1; of its tube r. K is 0 along the circles at its top and its bottom, H
+// where 1 + 2 r cos v is 0.
+void TestTorus(Checks& check)
+{
+  for (const double r : { 0.7, 0.4, 0.1, 0.03 })
+  {
+    AnalyticSurface torus = MakeTorus(1.0, r, r < 0.1 ? 400 : 200, 40);
+    AddExactArrays(torus);
+    const auto chains = ExtractByDefault(torus.Mesh, "parabolic");
+    check(chains.size() == 2, "the two circles of every torus, however slender", r);
+    for (const Chain& chain : chains)
+    {
+      check(chain.Closed, "all around", r);
+      for (const Vector3d& p : chain.Points)
+      {
+        // Smoothing moves them by less than a fifth of its own width.
+        check(std::abs(std::hypot(p[0], p[1]) - 1.0) < 0.2 * 0.05, "where they belong",
+          std::hypot(p[0], p[1]) - 1.0);
+      }
+    }
+  }
+  AnalyticSurface torus = MakeTorus(1.0, 0.7, 200, 80);
+  AddExactArrays(torus);
+  const auto chains = ExtractByDefault(torus.Mesh, "mean-curvature");
+  check(chains.size() == 2, "two circles of zero mean curvature", double(chains.size()));
+  for (const Chain& chain : chains)
+  {
+    for (const Vector3d& p : chain.Points)
+    {
+      check(std::abs(std::hypot(p[0], p[1]) - 0.5) < 0.01, "where they belong",
+        std::hypot(p[0], p[1]) - 0.5);
+    }
+  }
+}
+
+// A scan of a torus, with bumps much smaller than it.
+void TestBumps(Checks& check)
+{
+  AnalyticSurface torus = MakeTorus(1.0, 0.4, 300, 120);
+  for (std::size_t i = 0; i < torus.Truths.size(); ++i)
+  {
+    const Vector3d& p = torus.Truths[i].Point;
+    const double bump =
+      0.0015 * (std::sin(45.0 * p[0]) + std::sin(45.0 * p[1]) + std::sin(45.0 * p[2] + 1.0));
+    torus.Mesh->GetPoints()->SetPoint(
+      static_cast<vtkIdType>(i), Vector3d(p + bump * torus.Truths[i].Normal).data());
+  }
+  const auto surface = EstimateArrays(torus);
+  const auto chains = ExtractByDefault(surface, "parabolic");
+  check(chains.size() == 2, "the circles of a torus with bumps", double(chains.size()));
+  for (const Chain& chain : chains)
+  {
+    for (const Vector3d& p : chain.Points)
+    {
+      check(std::abs(std::hypot(p[0], p[1]) - 1.0) < 0.15, "about where they belong",
+        std::hypot(p[0], p[1]) - 1.0);
+    }
+  }
+  check(ExtractByDefault(surface, "mean-curvature").empty(), "and no line around a bump");
+  vtkNew<vtkNPRParabolicLines> all;
+  all->SetSmoothing(0.0);
+  const auto large = ExtractLines(surface, all, 0.0).size();
+  all->SetRegion(0.0);
+  const auto every = ExtractLines(surface, all, 0.0).size();
+  check(every > 100 && large < every / 4, "slight regions alone are many", double(large));
+}
+}
+
 int TestZeroCurvatures(int, char*[])
 {
   Checks check;
@@ -66,8 +147,16 @@ int TestZeroCurvatures(int, char*[])
     TestNoise(definition, Cylinder(1.0, 3.0), "cylinder", check);
   }
 
-  parabolic->SetThreshold(0.0);
-  mean->SetThreshold(0.0);
+  TestTorus(check);
+  TestBumps(check);
+
+  for (vtkNPRZeroCurvatureLines* definition : { static_cast<vtkNPRZeroCurvatureLines*>(parabolic),
+         static_cast<vtkNPRZeroCurvatureLines*>(mean) })
+  {
+    definition->SetThreshold(0.0);
+    definition->SetSmoothing(0.0);
+    definition->SetRegion(0.0);
+  }
   for (const auto& chain : ExtractLines(
          []
          {
@@ -102,12 +191,13 @@ int TestZeroCurvatures(int, char*[])
   check(ExtractLines(bump.Mesh, parabolic).size() == 1, "a steep enough crossing is a line");
   parabolic->SetThreshold(1.03 * gradient);
   check(ExtractLines(bump.Mesh, parabolic).empty(), "one that is not is none");
-  // The other curvature there is f / (1 + f'^2)^(1/2).
   parabolic->SetThreshold(0.0);
-  const double steepness = 2.0 / (f * (1.0 + f * f));
-  parabolic->SetSteepness(0.9 * steepness);
-  check(ExtractLines(bump.Mesh, parabolic).size() == 1, "where the bend is slight enough, a line");
-  parabolic->SetSteepness(1.1 * steepness);
-  check(ExtractLines(bump.Mesh, parabolic).empty(), "on a stronger bend none");
+  // The solid angle of the normals, from the top of the bump to its steepest slope; what is beyond
+  // has nearly as much.
+  const double region = 2.0 * vtkMath::Pi() * (1.0 - 1.0 / std::sqrt(1.0 + f * f));
+  parabolic->SetRegion(0.85 * region);
+  check(ExtractLines(bump.Mesh, parabolic).size() == 1, "round a bump that bends enough, a line");
+  parabolic->SetRegion(1.03 * region);
+  check(ExtractLines(bump.Mesh, parabolic).empty(), "round one that does not, none");
   return check.GetResult();
 }
