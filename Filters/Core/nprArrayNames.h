@@ -55,7 +55,12 @@ inline constexpr const char* ViewDistance = "ViewDistance";   // points, 1, leng
 inline constexpr const char* SourceCell = "SourceCell";       // points, 1, a cell of the surface
 inline constexpr const char* SourceEdge = "SourceEdge";       // points, 2, points of the surface
 inline constexpr const char* Visibility = "Visibility";       // points, 1, in [0, 1]
-inline constexpr const char* Width = "Width";                 // points, 1, pixels
+inline constexpr const char* Width = "Width";                 // points, 1, a factor
+inline constexpr const char* Opacity = "Opacity";             // points, 1, a factor in [0, 1]
+/// How much the curve itself bends, not the surface: times a length that its maker says.
+inline constexpr const char* CurveCurvature = "CurveCurvature"; // points, 1, no unit
+/// By how many surfaces a part of a stroke is hidden: 0 where it is visible.
+inline constexpr const char* HidingLayers = "HidingLayers"; // cells, 1
 }
 }
 

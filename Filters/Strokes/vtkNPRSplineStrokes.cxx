@@ -2,22 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRSplineStrokes.h"
 
-#include "nprArrayNames.h"
+#include "nprProgress.h"
 #include "nprSplines.h"
-#include "nprVTKCompat.h"
+#include "nprStrokeSamples.h"
 
-#include <vtkArrayListTemplate.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFloatArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformationVector.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
@@ -29,40 +24,6 @@
 
 namespace
 {
-struct ControlPoint
-{
-  npr::Vector3 Position;
-  vtkIdType Id;
-};
-
-struct Sample
-{
-  npr::Vector3 Position;
-  double ArcLength;
-  // The control points around the sample, and where it lies between them.
-  vtkIdType From;
-  vtkIdType To;
-  double T;
-};
-
-/// What one input polyline turns into: strokes one after another.
-struct Strokes
-{
-  std::vector<Sample> Samples;
-  std::vector<vtkIdType> Sizes;
-};
-
-struct Chain
-{
-  std::vector<ControlPoint> Points;
-  bool Closed = false; // the last point then joins the first, which is not repeated
-};
-
-double SquaredDistance(const npr::Vector3& a, const npr::Vector3& b)
-{
-  return vtkMath::Distance2BetweenPoints(a.data(), b.data());
-}
-
 /// Cosine of the angle by which a -> b -> c turns.
 double TurnCosine(const npr::Vector3& a, const npr::Vector3& b, const npr::Vector3& c)
 {
@@ -73,42 +34,7 @@ double TurnCosine(const npr::Vector3& a, const npr::Vector3& b, const npr::Vecto
   return lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
 }
 
-/// The finite runs of a polyline, without repeated points.
-std::vector<Chain> MakeChains(vtkPoints* points, vtkIdList* ids)
-{
-  std::vector<Chain> chains(1);
-  bool cut = false;
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    ControlPoint point;
-    point.Id = ids->GetId(i);
-    points->GetPoint(point.Id, point.Position.data());
-    if (!std::isfinite(point.Position[0]) || !std::isfinite(point.Position[1]) ||
-      !std::isfinite(point.Position[2]))
-    {
-      cut = true;
-      if (!chains.back().Points.empty())
-      {
-        chains.emplace_back();
-      }
-      continue;
-    }
-    std::vector<ControlPoint>& chain = chains.back().Points;
-    if (chain.empty() || SquaredDistance(chain.back().Position, point.Position) > 0)
-    {
-      chain.push_back(point);
-    }
-  }
-  if (!cut && chains[0].Points.size() > 3 &&
-    SquaredDistance(chains[0].Points.front().Position, chains[0].Points.back().Position) == 0)
-  {
-    chains[0].Points.pop_back();
-    chains[0].Closed = true;
-  }
-  return chains;
-}
-
-void Smooth(Chain& chain, int iterations)
+void Smooth(npr::StrokeChain& chain, int iterations)
 {
   const std::size_t n = chain.Points.size();
   if (n < 3)
@@ -151,9 +77,9 @@ public:
   double CornerCosine;
   int SmoothingIterations;
 
-  void Process(vtkPoints* points, vtkIdList* ids, Strokes& strokes) const
+  void Process(vtkPoints* points, vtkIdList* ids, npr::SampledStrokes& strokes) const
   {
-    for (Chain& chain : MakeChains(points, ids))
+    for (npr::StrokeChain& chain : npr::MakeStrokeChains(points, ids))
     {
       if (chain.Points.size() < 2)
       {
@@ -162,23 +88,14 @@ public:
       Smooth(chain, this->SmoothingIterations);
       const std::size_t start = strokes.Samples.size();
       this->SampleChain(chain, strokes.Samples);
-      MeasureArcLength(strokes.Samples, start);
+      npr::MeasureArcLength(strokes.Samples, start);
       strokes.Sizes.push_back(static_cast<vtkIdType>(strokes.Samples.size() - start));
     }
   }
 
 private:
-  static void MeasureArcLength(std::vector<Sample>& samples, std::size_t start)
-  {
-    for (std::size_t i = start + 1; i < samples.size(); ++i)
-    {
-      samples[i].ArcLength = samples[i - 1].ArcLength +
-        std::sqrt(SquaredDistance(samples[i - 1].Position, samples[i].Position));
-    }
-  }
-
   /// Appends the samples of the smooth parts between the corners of the chain.
-  void SampleChain(const Chain& chain, std::vector<Sample>& samples) const
+  void SampleChain(const npr::StrokeChain& chain, std::vector<npr::StrokeSample>& samples) const
   {
     const std::size_t n = chain.Points.size();
     std::vector<std::size_t> corners;
@@ -205,7 +122,7 @@ private:
     }
     corners.push_back(end);
     std::size_t first = begin;
-    std::vector<ControlPoint> part;
+    std::vector<npr::StrokePoint> part;
     for (std::size_t corner : corners)
     {
       part.clear();
@@ -220,11 +137,11 @@ private:
 
   /// Appends the samples of one smooth part; without its first one where that has been the last of
   /// the part before.
-  void SamplePart(const std::vector<ControlPoint>& points, bool closed, bool withFirst,
-    std::vector<Sample>& samples) const
+  void SamplePart(const std::vector<npr::StrokePoint>& points, bool closed, bool withFirst,
+    std::vector<npr::StrokeSample>& samples) const
   {
     const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(points.size());
-    auto control = [&](std::ptrdiff_t i) -> const ControlPoint&
+    auto control = [&](std::ptrdiff_t i) -> const npr::StrokePoint&
     { return points[closed ? (i + n) % n : std::min(std::max<std::ptrdiff_t>(i, 0), n - 1)]; };
     // The B-spline reaches an open end only if that end counts three times: one more span.
     const std::ptrdiff_t more = this->Type == vtkNPRSplineStrokes::B_SPLINE && !closed ? 1 : 0;
@@ -266,15 +183,6 @@ private:
     return this->Type == vtkNPRSplineStrokes::NONE ? 1 : this->Subdivisions;
   }
 };
-
-bool IsAborted(vtkAlgorithm* algorithm)
-{
-#if NPR_VTK_AT_LEAST(9, 3)
-  return algorithm->CheckAbort();
-#else
-  return algorithm->GetAbortExecute() != 0;
-#endif
-}
 }
 
 vtkStandardNewMacro(vtkNPRSplineStrokes);
@@ -304,7 +212,7 @@ int vtkNPRSplineStrokes::RequestData(
   splines.SmoothingIterations = this->SmoothingIterations;
 
   vtkPoints* inputPoints = input->GetPoints();
-  std::vector<Strokes> strokes(numberOfLines);
+  std::vector<npr::SampledStrokes> strokes(numberOfLines);
   vtkSMPTools::For(0, numberOfLines,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -316,74 +224,12 @@ int vtkNPRSplineStrokes::RequestData(
       }
     });
   this->UpdateProgress(0.5);
-  if (IsAborted(this))
+  if (npr::IsAborted(this))
   {
     return 1;
   }
 
-  std::vector<vtkIdType> firstSample(numberOfLines + 1, 0);
-  vtkNew<vtkIdTypeArray> offsets;
-  offsets->InsertNextValue(0);
-  vtkCellData* inputCells = input->GetCellData();
-  vtkCellData* outputCells = output->GetCellData();
-  outputCells->CopyAllOn();
-  outputCells->CopyAllocate(inputCells, numberOfLines);
-  const vtkIdType firstLineCell = input->GetNumberOfVerts();
-  for (vtkIdType line = 0; line < numberOfLines; ++line)
-  {
-    firstSample[line + 1] =
-      firstSample[line] + static_cast<vtkIdType>(strokes[line].Samples.size());
-    for (vtkIdType size : strokes[line].Sizes)
-    {
-      outputCells->CopyData(inputCells, firstLineCell + line, offsets->GetNumberOfTuples() - 1);
-      offsets->InsertNextValue(offsets->GetValue(offsets->GetNumberOfTuples() - 1) + size);
-    }
-  }
-  const vtkIdType numberOfSamples = firstSample[numberOfLines];
-
-  vtkNew<vtkPoints> points;
-  points->SetDataType(inputPoints->GetDataType());
-  points->SetNumberOfPoints(numberOfSamples);
-  vtkNew<vtkFloatArray> arcLength;
-  arcLength->SetName(npr::names::ArcLength);
-  arcLength->SetNumberOfValues(numberOfSamples);
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(numberOfSamples);
-  vtkPointData* outputPointData = output->GetPointData();
-  outputPointData->CopyFieldOff(npr::names::ArcLength);
-  outputPointData->InterpolateAllocate(input->GetPointData(), numberOfSamples);
-  ArrayList arrays;
-  arrays.AddArrays(numberOfSamples, input->GetPointData(), outputPointData, 0.0, false);
-  // What can't be interpolated (strings) has no place on the samples.
-  for (int i = outputPointData->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    if (outputPointData->GetAbstractArray(i)->GetNumberOfTuples() != numberOfSamples)
-    {
-      outputPointData->RemoveArray(i);
-    }
-  }
-  vtkSMPTools::For(0, numberOfLines,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType line = begin; line < end; ++line)
-      {
-        vtkIdType id = firstSample[line];
-        for (const Sample& sample : strokes[line].Samples)
-        {
-          points->SetPoint(id, sample.Position.data());
-          arcLength->SetValue(id, static_cast<float>(sample.ArcLength));
-          connectivity->SetValue(id, id);
-          arrays.InterpolateEdge(sample.From, sample.To, sample.T, id);
-          ++id;
-        }
-      }
-    });
-
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  output->SetPoints(points);
-  output->SetLines(cells);
-  outputPointData->AddArray(arcLength);
+  npr::WriteStrokes(input, npr::PointersTo(strokes), output);
   this->UpdateProgress(1.0);
   return 1;
 }

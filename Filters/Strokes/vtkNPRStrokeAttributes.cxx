@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNPRStrokeAttributes.h"
+
+#include "nprArrayNames.h"
+#include "nprLatticeNoise.h"
+#include "nprLengthScale.h"
+#include "nprProgress.h"
+#include "nprStrokeCuts.h"
+#include "nprStrokeMeasure.h"
+#include "nprStrokeShaper.h"
+
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkInformationVector.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkSmartPointer<vtkFloatArray> AddArray(vtkPolyData* output, const char* name)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(output->GetNumberOfPoints());
+  vtkDataArray* before = output->GetPointData()->GetArray(name);
+  const bool isFactor = before && before->GetNumberOfComponents() == 1;
+  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+  {
+    const double value = isFactor ? before->GetComponent(i, 0) : 1.0;
+    array->SetValue(i, std::isfinite(value) ? static_cast<float>(std::max(value, 0.0)) : 0.0f);
+  }
+  output->GetPointData()->AddArray(array);
+  return array;
+}
+
+double GetValue(vtkDataArray* array, vtkIdType point)
+{
+  const int components = array->GetNumberOfComponents();
+  if (components == 1)
+  {
+    return array->GetComponent(point, 0);
+  }
+  double sum = 0.0;
+  for (int c = 0; c < components; ++c)
+  {
+    sum += array->GetComponent(point, c) * array->GetComponent(point, c);
+  }
+  return std::sqrt(sum);
+}
+}
+
+vtkStandardNewMacro(vtkNPRStrokeAttributes);
+
+//------------------------------------------------------------------------------
+vtkNPRStrokeAttributes::vtkNPRStrokeAttributes() = default;
+vtkNPRStrokeAttributes::~vtkNPRStrokeAttributes() = default;
+
+//------------------------------------------------------------------------------
+int vtkNPRStrokeAttributes::AddTerm(int attribute, const char* array)
+{
+  if ((attribute != WIDTH && attribute != OPACITY) || !array || !*array)
+  {
+    vtkErrorMacro("a term must be of WIDTH or OPACITY, and by the name of a point array");
+    return -1;
+  }
+  Term term;
+  term.Attribute = attribute;
+  term.Array = array;
+  this->Terms.push_back(term);
+  this->Modified();
+  return this->GetNumberOfTerms() - 1;
+}
+
+//------------------------------------------------------------------------------
+vtkNPRStrokeAttributes::Term* vtkNPRStrokeAttributes::FindTerm(int term)
+{
+  if (term < 0 || term >= this->GetNumberOfTerms())
+  {
+    vtkErrorMacro("there is no term " << term << "; there are " << this->GetNumberOfTerms()
+                                      << ". Take the number that AddTerm() returns.");
+    return nullptr;
+  }
+  this->Modified();
+  return &this->Terms[term];
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::SetTermRange(int term, double from, double to)
+{
+  if (!std::isfinite(from) || !std::isfinite(to))
+  {
+    vtkErrorMacro("the range of a term must be two finite numbers");
+  }
+  else if (Term* found = this->FindTerm(term))
+  {
+    found->From = from;
+    found->To = to;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::SetTermFactors(int term, double atFrom, double atTo)
+{
+  if (Term* found = this->FindTerm(term))
+  {
+    const double most = found->Attribute == OPACITY ? 1.0 : 1000.0;
+    if (!(atFrom >= 0.0 && atFrom <= most && atTo >= 0.0 && atTo <= most))
+    {
+      vtkErrorMacro("the factors of term " << term << " must be from 0 to " << most);
+      return;
+    }
+    found->AtFrom = atFrom;
+    found->AtTo = atTo;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::SetTermShape(int term, int shape)
+{
+  if (Term* found = this->FindTerm(term))
+  {
+    found->Shape = shape == SMOOTH ? SMOOTH : LINEAR;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::RemoveAllTerms()
+{
+  this->Terms.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* vtkNPRStrokeAttributes::GetCamera() const
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::SetMatrix(vtkMatrix4x4* matrix)
+{
+  if (this->Matrix != matrix)
+  {
+    this->Matrix = matrix;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkNPRStrokeAttributes::GetMatrix() const
+{
+  return this->Matrix;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkNPRStrokeAttributes::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->LengthUnit == VIEW)
+  {
+    time = this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
+    time = this->Matrix ? std::max(time, this->Matrix->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRStrokeAttributes::UsesCurveCurvature() const
+{
+  return std::any_of(this->Terms.begin(), this->Terms.end(),
+    [](const Term& term) { return term.Array == npr::names::CurveCurvature; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRStrokeAttributes::MultiplyTerm(const Term& term, vtkPolyData* output, float* factors)
+{
+  vtkDataArray* array = output->GetPointData()->GetArray(term.Array.c_str());
+  if (!array)
+  {
+    std::string names;
+    for (int i = 0; i < output->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      const char* name = output->GetPointData()->GetArrayName(i);
+      names += name ? (names.empty() ? "" : ", ") + std::string(name) : "";
+    }
+    vtkErrorMacro("the strokes have no point array '"
+      << term.Array << "' to take their " << (term.Attribute == WIDTH ? "width" : "opacity")
+      << " from; they have: " << names << ".");
+    return false;
+  }
+  double range[2] = { term.From, term.To };
+  if (term.From == term.To)
+  {
+    array->GetFiniteRange(range, array->GetNumberOfComponents() == 1 ? 0 : -1);
+  }
+  vtkSMPTools::For(0, output->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const double value = GetValue(array, i);
+        double x = range[0] != range[1] && std::isfinite(value)
+          ? std::min(std::max((value - range[0]) / (range[1] - range[0]), 0.0), 1.0)
+          : 0.0;
+        x = term.Shape == SMOOTH ? x * x * (3.0 - 2.0 * x) : x;
+        factors[i] *= static_cast<float>(term.AtFrom + x * (term.AtTo - term.AtFrom));
+      }
+    });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkNPRStrokeAttributes::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->GetFieldData()->PassData(input->GetFieldData());
+  vtkCellArray* lines = input->GetLines();
+  const vtkIdType numberOfLines = lines->GetNumberOfCells();
+  if (numberOfLines == 0 || !input->GetPoints())
+  {
+    return 1;
+  }
+  if (this->LengthUnit == VIEW && !this->Camera)
+  {
+    vtkErrorMacro("lengths are in heights of the view, but there is no camera; call SetCamera(), "
+                  "or SetLengthUnit() with another unit");
+    return 0;
+  }
+  const npr::StrokeMeasure measure = this->LengthUnit == VIEW
+    ? npr::StrokeMeasure(this->Camera, this->Matrix)
+    : npr::StrokeMeasure(1.0);
+  if (!measure.IsValid())
+  {
+    vtkErrorMacro("the view of the strokes has no size: the matrix has no inverse, or the "
+                  "camera's position, angle or scale is not valid");
+    return 0;
+  }
+
+  npr::StrokeShape shape;
+  shape.RelativeToStroke = this->LengthUnit == STROKE;
+  shape.CurvatureReach = this->UsesCurveCurvature() ? this->CurvatureReach : 0.0;
+  shape.TaperLength = this->TaperLength;
+  shape.OvershootLength = this->OvershootLength;
+  shape.WobbleAmplitude = this->WobbleAmplitude;
+  shape.WobbleWavelength = this->WobbleWavelength;
+  if (this->LengthUnit == MODEL)
+  {
+    const double scale = npr::GetLengthScale(input);
+    shape.CurvatureUnit = scale > 0.0 ? scale : input->GetLength();
+  }
+
+  const npr::StrokeCuts cuts(input);
+  vtkDataArray* const chainIds = npr::GetCellNumbers(input, npr::names::ChainId);
+  vtkDataArray* const arcLengths = input->GetPointData()->GetArray(npr::names::ArcLength);
+  const vtkIdType firstCell = input->GetNumberOfVerts();
+  const std::uint32_t seed = npr::HashInteger(static_cast<std::uint32_t>(this->Seed));
+  std::vector<npr::ShapedStrokes> strokes(numberOfLines);
+  vtkSMPTools::For(0, numberOfLines,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType line = begin; line < end && !this->GetAbortExecute(); ++line)
+      {
+        lines->GetCellAtId(line, ids);
+        const double number =
+          chainIds ? chainIds->GetComponent(firstCell + line, 0) : static_cast<double>(line);
+        npr::StrokeTraits traits;
+        traits.Seed = npr::HashInteger(
+          static_cast<std::uint32_t>(std::isfinite(number) ? std::llround(number) : 0) + seed);
+        for (const npr::StrokeChain& chain : npr::MakeStrokeChains(input->GetPoints(), ids))
+        {
+          if (chain.Points.size() < 2)
+          {
+            continue;
+          }
+          traits.StartIsTrue = !cuts.IsCut(line, chain.Points.front().Position);
+          traits.EndIsTrue = !cuts.IsCut(line, chain.Points.back().Position);
+          const double first =
+            arcLengths ? arcLengths->GetComponent(chain.Points.front().Id, 0) : 0.0;
+          npr::ShapeStroke(
+            chain, measure, shape, traits, std::isfinite(first) ? first : 0.0, strokes[line]);
+        }
+      }
+    });
+  this->UpdateProgress(0.5);
+  if (npr::IsAborted(this))
+  {
+    return 1;
+  }
+  npr::WriteStrokes(input, npr::PointersTo(strokes), output);
+
+  auto widths = AddArray(output, npr::names::Width);
+  auto opacities = AddArray(output, npr::names::Opacity);
+  vtkNew<vtkFloatArray> curvatures;
+  curvatures->SetName(npr::names::CurveCurvature);
+  vtkIdType point = 0;
+  for (const npr::ShapedStrokes& stroke : strokes)
+  {
+    for (const float taper : stroke.Tapers)
+    {
+      const auto blend = [taper](double atEnd)
+      { return static_cast<float>(atEnd + taper * (1.0 - atEnd)); };
+      widths->SetValue(point,
+        widths->GetValue(point) * static_cast<float>(this->ConstantWidth) *
+          blend(this->TaperedWidth));
+      opacities->SetValue(point,
+        std::min(opacities->GetValue(point), 1.0f) * static_cast<float>(this->ConstantOpacity) *
+          blend(this->TaperedOpacity));
+      ++point;
+    }
+    for (const float curvature : stroke.Curvatures)
+    {
+      curvatures->InsertNextValue(curvature);
+    }
+  }
+  if (this->UsesCurveCurvature())
+  {
+    output->GetPointData()->AddArray(curvatures);
+  }
+  for (const Term& term : this->Terms)
+  {
+    if (output->GetNumberOfPoints() > 0 &&
+      !this->MultiplyTerm(
+        term, output, (term.Attribute == WIDTH ? widths : opacities)->GetPointer(0)))
+    {
+      output->Initialize();
+      return 0;
+    }
+  }
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ConstantWidth: " << this->ConstantWidth << "\n";
+  os << indent << "ConstantOpacity: " << this->ConstantOpacity << "\n";
+  for (const Term& term : this->Terms)
+  {
+    os << indent << "Term: " << (term.Attribute == WIDTH ? "Width" : "Opacity") << " by "
+       << term.Array << " from " << term.From << " to " << term.To << ": " << term.AtFrom << " to "
+       << term.AtTo << (term.Shape == SMOOTH ? ", smooth\n" : "\n");
+  }
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "Matrix: " << this->Matrix.Get() << "\n";
+  os << indent << "CurvatureReach: " << this->CurvatureReach << "\n";
+  os << indent << "TaperLength: " << this->TaperLength << "\n";
+  os << indent << "TaperedWidth: " << this->TaperedWidth << "\n";
+  os << indent << "TaperedOpacity: " << this->TaperedOpacity << "\n";
+  os << indent << "OvershootLength: " << this->OvershootLength << "\n";
+  os << indent << "WobbleAmplitude: " << this->WobbleAmplitude << "\n";
+  os << indent << "WobbleWavelength: " << this->WobbleWavelength << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}
