@@ -3,21 +3,40 @@
 #ifndef nprStrokeBuffer_h
 #define nprStrokeBuffer_h
 
+#include "nprVTKCompat.h"
+
 #include <array>
+#include <cstddef>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMatrix4x4;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
+/// What StrokeRecord::Kind says, besides the number of its stroke.
+enum StrokeKind
+{
+  Drawn = 1,     // a segment runs from here to the next record
+  HasBefore = 2, // the record before is the neighbour on the stroke
+  HasAfter = 4,  // the record after is it
+  Hidden = 8,    // by a surface, as HidingLayers says
+  StrokeNumber = 16
+};
+/// Numbers of strokes begin again here: a float holds every Kind.
+constexpr int MostStrokeNumbers = 1 << 19;
+
 /// One point of a stroke as the vertex shader fetches it: two texels of four floats.
 struct StrokeRecord
 {
   float Position[3]; // relative to StrokeRecords::Origin
   float Width;       // 1 without a Width array
   float Strength;    // 1 without a Strength array
-  float Connected;   // 1 if a segment runs from here to the next record
-  float Unused[2];
+  float Opacity;     // 1 without an Opacity array
+  float ArcLength;   // from the array, or measured; in the coordinates of the input
+  float Kind;        // a sum of StrokeKind, and StrokeNumber times the number of the stroke
 };
 
 struct StrokeRecords
@@ -26,11 +45,21 @@ struct StrokeRecords
   // The centre of the bounds, taken off in double precision: nothing is lost far from the origin.
   std::array<double, 3> Origin = { 0, 0, 0 };
   float MaximumWidth = 1;
+  // The first record of each stroke, and the end of all.
+  std::vector<std::ptrdiff_t> Begins;
 };
 
-/// Lays the lines of strokes out one after another. Segments with a point that is not finite are
-/// left out.
+/// Lays the lines of strokes out one after another; closed ones with the neighbours of their seam
+/// before and after them. Segments with a point that is not finite are left out.
 StrokeRecords MakeStrokeRecords(vtkPolyData* strokes);
+
+/**
+ * How far along its stroke each record is in the picture, in pixels.
+ *
+ * @param toDevice from the records to clip coordinates, transposed as VTK hands it to shaders
+ */
+std::vector<float> MeasurePageLengths(
+  const StrokeRecords& records, vtkMatrix4x4* toDevice, const float viewportSize[2]);
 }
 
 #endif

@@ -1,4 +1,5 @@
 //VTK::System::Dec
+//NPR::Variant::Dec
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
@@ -12,6 +13,7 @@ flat in vec4 nprAxisVSOut;
 flat in float nprSizeVSOut;
 flat in vec2 nprDepthVSOut;
 flat in vec4 nprInkVSOut;
+flat in float nprHiddenVSOut;
 in vec2 nprPlaceVSOut;
 
 uniform int nprDepthTest;
@@ -22,6 +24,7 @@ uniform float nprPixelScale;       // size of a pixel at clip coordinate w = 1, 
 uniform float nprTolerance;        // pixels
 uniform float nprModelSize;        // world units
 uniform float nprVisibilityRadius; // pixels
+uniform int nprUseHidingLayers;
 uniform float nprHiddenOpacity;
 
 const vec2 Ring[8] = vec2[8](vec2(1.0, 0.0), vec2(0.0, 1.0), vec2(-1.0, 0.0), vec2(0.0, -1.0),
@@ -96,6 +99,16 @@ float halfPlaneCoverage(float distance, vec2 direction)
   return 0.5 + sign(distance) * area;
 }
 
+// The share of a pixel that a strip covers, by the distance from its middle across a direction.
+float stripCoverage(float across, float radius, vec2 direction)
+{
+  float distance = abs(across);
+  return halfPlaneCoverage(radius - distance, direction) -
+    halfPlaneCoverage(-radius - distance, direction);
+}
+
+//NPR::Styled::Dec
+
 void main()
 {
   vec2 axis = nprAxisVSOut.zw;
@@ -104,20 +117,24 @@ void main()
   float distance = length(away);
   float t = along / max(nprSizeVSOut, 1e-6);
   float radius = mix(nprInkVSOut.x, nprInkVSOut.z, t);
+#ifndef NPR_STYLED
   if (distance >= radius + 0.71)
   {
     discard;
   }
+#endif
   // The direction vanishes on the axis itself; there any across it will do.
   away = distance > 1e-3 ? away / distance : vec2(0.0, 1.0);
   vec2 direction = vec2(away.x * axis.x - away.y * axis.y, away.x * axis.y + away.y * axis.x);
-  float coverage = halfPlaneCoverage(radius - distance, direction) -
-    halfPlaneCoverage(-radius - distance, direction);
-  float opacity = coverage * mix(nprInkVSOut.y, nprInkVSOut.w, t);
+  float coverage = stripCoverage(distance, radius, direction);
+  float opacity = mix(nprInkVSOut.y, nprInkVSOut.w, t);
+  float visible = nprUseHidingLayers != 0 ? 1.0 - nprHiddenVSOut : 1.0;
   if (nprDepthTest != 0)
   {
-    opacity *= mix(nprHiddenOpacity, 1.0,
-      visibility(nprAxisVSOut.xy + along * axis, mix(nprDepthVSOut.x, nprDepthVSOut.y, t)));
+    visible *=
+      visibility(nprAxisVSOut.xy + along * axis, mix(nprDepthVSOut.x, nprDepthVSOut.y, t));
   }
-  gl_FragData[0] = vec4(opacity);
+  float shown = mix(nprHiddenOpacity, 1.0, visible);
+//NPR::Styled::Impl
+  gl_FragData[0] = vec4(coverage * opacity * shown);
 }

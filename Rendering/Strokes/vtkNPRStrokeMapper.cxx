@@ -2,24 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRStrokeMapper.h"
 
-#include "nprStrokeBuffer.h"
-#include "nprStrokeLayer.h"
+#include "nprStrokeGraphics.h"
 #include "vtkNPRStrokeCompositeFS.h"
 #include "vtkNPRStrokeFS.h"
+#include "vtkNPRStrokeStyledFS.h"
+#include "vtkNPRStrokeStyledMainFS.h"
 #include "vtkNPRStrokeVS.h"
 
 #include <vtkActor.h>
 #include <vtkAlgorithm.h>
-#include <vtkBoundingBox.h>
 #include <vtkCommand.h>
 #include <vtkHardwareSelector.h>
 #include <vtkInformation.h>
-#include <vtkMath.h>
-#include <vtkMatrix3x3.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkOpenGLBufferObject.h>
 #include <vtkOpenGLCamera.h>
 #include <vtkOpenGLError.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -28,20 +24,15 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
-#include <vtkOpenGLVertexArrayObject.h>
-#include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
-#include <vtkTimeStamp.h>
 #include <vtkTimerLog.h>
-#include <vtkWeakPointer.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
+#include <string>
 
 namespace
 {
@@ -75,92 +66,17 @@ Translucency GetTranslucency(vtkActor* actor)
 }
 }
 
-class vtkNPRStrokeMapper::Graphics
-{
-public:
-  Graphics() = default;
-  ~Graphics() { this->Release(); }
-
-  /// Everything below belongs to one window; what was made for another is given back to it. A
-  /// window that dies says so while its context still lives.
-  void SetWindow(vtkOpenGLRenderWindow* window)
-  {
-    if (this->Window == window)
-    {
-      return;
-    }
-    this->Release();
-    this->Window = window;
-    this->WindowObserver = window->AddObserver(vtkCommand::DeleteEvent, this, &Graphics::Release);
-  }
-
-  void Release()
-  {
-    if (!this->Window)
-    {
-      return;
-    }
-    this->Window->PushContext();
-    this->Composite.reset();
-    this->Layer.ReleaseGraphicsResources(this->Window);
-    this->VertexArray->ReleaseGraphicsResources();
-    this->Buffer->ReleaseGraphicsResources();
-    this->BufferTexture->ReleaseGraphicsResources(this->Window);
-    this->NumberOfSegments = 0;
-    this->UploadTime = vtkTimeStamp();
-    this->Window->PopContext();
-    this->Window->RemoveObserver(this->WindowObserver);
-    this->Window = nullptr;
-  }
-
-  void Upload(vtkPolyData* input)
-  {
-    if (this->UploadTime > input->GetMTime() && this->UploadedInput == input)
-    {
-      return;
-    }
-    npr::StrokeRecords records = npr::MakeStrokeRecords(input);
-    this->Origin = records.Origin;
-    this->MaximumWidth = records.MaximumWidth;
-    this->NumberOfSegments = std::max<std::ptrdiff_t>(records.Records.size(), 1) - 1;
-    if (this->NumberOfSegments > 0)
-    {
-      const std::size_t size = records.Records.size() * (sizeof(npr::StrokeRecord) / sizeof(float));
-      this->Buffer->Upload(records.Records[0].Position, size, vtkOpenGLBufferObject::TextureBuffer);
-      this->BufferTexture->SetContext(this->Window);
-      this->BufferTexture->CreateTextureBuffer(
-        static_cast<unsigned int>(size / 4), 4, VTK_FLOAT, this->Buffer);
-    }
-    this->UploadedInput = input;
-    this->UploadTime.Modified();
-  }
-
-  vtkOpenGLRenderWindow* Window = nullptr;
-  unsigned long WindowObserver = 0;
-  npr::StrokeLayer Layer;
-  std::unique_ptr<vtkOpenGLQuadHelper> Composite;
-  vtkNew<vtkOpenGLBufferObject> Buffer;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  vtkNew<vtkTextureObject> BufferTexture;
-
-  std::ptrdiff_t NumberOfSegments = 0;
-  std::array<double, 3> Origin = { 0, 0, 0 };
-  float MaximumWidth = 1;
-  vtkTimeStamp UploadTime;
-  vtkWeakPointer<vtkPolyData> UploadedInput;
-};
-
 vtkStandardNewMacro(vtkNPRStrokeMapper);
 
-vtkNPRStrokeMapper::vtkNPRStrokeMapper() : Resources(new Graphics) {}
+vtkNPRStrokeMapper::vtkNPRStrokeMapper() : Graphics(new npr::StrokeGraphics) {}
 
 vtkNPRStrokeMapper::~vtkNPRStrokeMapper() = default;
 
 void vtkNPRStrokeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Resources->Window == window)
+  if (this->Graphics->GetWindow() == window)
   {
-    this->Resources->Release();
+    this->Graphics->Release();
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -200,15 +116,13 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
 
-  Graphics& graphics = *this->Resources;
-  graphics.SetWindow(window);
-  graphics.Upload(input);
-  if (graphics.NumberOfSegments == 0)
+  this->Graphics->SetWindow(window);
+  this->Graphics->Upload(input);
+  if (this->Graphics->GetNumberOfSegments() == 0)
   {
     return;
   }
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vtkNPRStrokeVS, vtkNPRStrokeFS, "");
+  vtkShaderProgram* program = this->ReadyProgram();
   if (!program)
   {
     vtkErrorMacro("The stroke shaders did not compile; OpenGL 3.2 or later is needed.");
@@ -227,7 +141,7 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
   this->DrawInk(renderer, actor, program);
-  this->LayInkOver(window, actor, translucency == Translucency::OrderIndependent);
+  this->LayInkOver(actor, translucency == Translucency::OrderIndependent);
   vtkOpenGLCheckErrorMacro("failed after drawing strokes");
 
   timer->StopTimer();
@@ -235,10 +149,34 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateProgress(1.0);
 }
 
+bool vtkNPRStrokeMapper::IsStyled() const
+{
+  return this->Cap != ROUND_CAP || this->Join != ROUND_JOIN || this->Medium != INK ||
+    this->PaperGrain > 0.0 || this->Dashes[1] > 0.0 ||
+    (this->HiddenDashes[1] > 0.0 && this->HiddenOpacity > 0.0);
+}
+
+vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram()
+{
+  std::string vertex = vtkNPRStrokeVS;
+  std::string fragment = vtkNPRStrokeFS;
+  const bool styled = this->IsStyled();
+  for (std::string* shader : { &vertex, &fragment })
+  {
+    vtkShaderProgram::Substitute(
+      *shader, "//NPR::Variant::Dec", styled ? "#define NPR_STYLED" : "");
+  }
+  vtkShaderProgram::Substitute(fragment, "//NPR::Styled::Dec", styled ? vtkNPRStrokeStyledFS : "");
+  vtkShaderProgram::Substitute(
+    fragment, "//NPR::Styled::Impl", styled ? vtkNPRStrokeStyledMainFS : "");
+  return this->Graphics->GetWindow()->GetShaderCache()->ReadyShaderProgram(
+    vertex.c_str(), fragment.c_str(), "");
+}
+
 void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program)
 {
-  Graphics& graphics = *this->Resources;
-  vtkOpenGLState* state = graphics.Window->GetState();
+  npr::StrokeGraphics& graphics = *this->Graphics;
+  vtkOpenGLState* state = graphics.GetWindow()->GetState();
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   state->PushFramebufferBindings();
@@ -251,9 +189,9 @@ void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShad
     state->vtkglDisable(GL_STENCIL_TEST);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const bool depthTest =
-      this->DepthTest && graphics.Layer.CaptureDepth(graphics.Window, viewport);
+      this->DepthTest && graphics.Layer.CaptureDepth(graphics.GetWindow(), viewport);
     state->vtkglViewport(0, 0, viewport[2], viewport[3]);
-    graphics.Layer.BindInk(graphics.Window, viewport[2], viewport[3]);
+    graphics.Layer.BindInk(graphics.GetWindow(), viewport[2], viewport[3]);
     int equations[2];
     state->vtkglGetIntegerv(GL_BLEND_EQUATION_RGB, &equations[0]);
     state->vtkglGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equations[1]);
@@ -261,104 +199,16 @@ void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShad
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
 
     this->SetUniforms(renderer, actor, program, viewport);
-    graphics.BufferTexture->Activate();
-    const int recordsUnit = graphics.BufferTexture->GetTextureUnit();
-    program->SetUniformi("nprRecords", recordsUnit);
-    program->SetUniformi("nprDepthTest", depthTest);
-    if (depthTest)
-    {
-      graphics.Layer.GetDepth()->Activate();
-    }
-    // Samplers of two kinds must not share a unit, even where one is not used.
-    program->SetUniformi(
-      "nprDepthTexture", depthTest ? graphics.Layer.GetDepth()->GetTextureUnit() : recordsUnit + 1);
-    graphics.VertexArray->Bind(); // OpenGL wants one, even without attributes
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * graphics.NumberOfSegments));
-    graphics.VertexArray->Release();
-    graphics.BufferTexture->Deactivate();
-    if (depthTest)
-    {
-      graphics.Layer.GetDepth()->Deactivate();
-    }
+    graphics.Draw(program, depthTest, this->IsStyled());
     state->vtkglBlendEquationSeparate(equations[0], equations[1]);
   }
   state->PopFramebufferBindings();
 }
 
-void vtkNPRStrokeMapper::SetUniforms(
-  vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4])
+void vtkNPRStrokeMapper::LayInkOver(vtkActor* actor, bool orderIndependent)
 {
-  const Graphics& graphics = *this->Resources;
-  vtkMatrix4x4* worldToView;
-  vtkMatrix3x3* normals;
-  vtkMatrix4x4* projection; // transposed, as all that VTK hands to shaders
-  vtkMatrix4x4* worldToDevice;
-  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
-    ->GetKeyMatrices(renderer, worldToView, normals, projection, worldToDevice);
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int i = 0; i < 3; ++i)
-  {
-    matrix->SetElement(i, 3, graphics.Origin[i]);
-  }
-  vtkMatrix4x4::Multiply4x4(actor->GetMatrix(), matrix, matrix);
-  matrix->Transpose();
-  vtkMatrix4x4::Multiply4x4(matrix, worldToDevice, matrix);
-  program->SetUniformMatrix("nprMCDCMatrix", matrix);
-
-  this->SetClippingUniforms(actor, program);
-
-  const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
-  program->SetUniform2f("nprViewportSize", size);
-  program->SetUniformf("nprWidth", static_cast<float>(this->Width));
-  program->SetUniformi("nprUseWidths", this->UseWidthArray);
-  program->SetUniformf("nprMinimumWidthFactor",
-    this->StrengthToWidth ? static_cast<float>(this->MinimumWidthFactor) : 1.0f);
-  program->SetUniformf("nprMinimumOpacityFactor", this->StrengthToOpacity ? 0.0f : 1.0f);
-  const double widest = this->Width * (this->UseWidthArray ? graphics.MaximumWidth : 1.0f);
-  program->SetUniformf("nprGuard", static_cast<float>(0.5 * widest + 2.0));
-
-  const float depthProjection[4] = { static_cast<float>(projection->GetElement(2, 2)),
-    static_cast<float>(projection->GetElement(3, 2)),
-    static_cast<float>(projection->GetElement(2, 3)),
-    static_cast<float>(projection->GetElement(3, 3)) };
-  program->SetUniform4f("nprDepthProjection", depthProjection);
-  program->SetUniformf(
-    "nprPixelScale", static_cast<float>(2.0 / (projection->GetElement(1, 1) * viewport[3])));
-  const vtkBoundingBox box(actor->GetBounds());
-  program->SetUniformf("nprTolerance", static_cast<float>(this->DepthTolerance));
-  program->SetUniformf(
-    "nprModelSize", static_cast<float>(box.IsValid() ? box.GetDiagonalLength() : 0.0));
-  program->SetUniformf("nprVisibilityRadius", static_cast<float>(this->VisibilityRadius));
-  program->SetUniformf("nprHiddenOpacity", static_cast<float>(this->HiddenOpacity));
-}
-
-void vtkNPRStrokeMapper::SetClippingUniforms(vtkActor* actor, vtkShaderProgram* program)
-{
-  constexpr int maximum = 6; // as many as VTK's own mappers
-  const std::array<double, 3>& origin = this->Resources->Origin;
-  const int wanted = this->ClippingPlanes ? this->ClippingPlanes->GetNumberOfItems() : 0;
-  if (wanted > maximum)
-  {
-    vtkErrorMacro("There are " << wanted << " clipping planes; the first " << maximum
-                               << " are used. Remove the others.");
-  }
-  const int count = std::min(wanted, maximum);
-  float planes[maximum][4] = {};
-  for (int i = 0; i < count; ++i)
-  {
-    double plane[4];
-    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
-    plane[3] += vtkMath::Dot(plane, origin.data());
-    std::copy_n(plane, 4, planes[i]);
-  }
-  program->SetUniformi("nprNumberOfClippingPlanes", count);
-  program->SetUniform4fv("nprClippingPlanes", maximum, planes);
-}
-
-void vtkNPRStrokeMapper::LayInkOver(
-  vtkOpenGLRenderWindow* window, vtkActor* actor, bool orderIndependent)
-{
-  Graphics& graphics = *this->Resources;
+  npr::StrokeGraphics& graphics = *this->Graphics;
+  vtkOpenGLRenderWindow* window = graphics.GetWindow();
   if (!graphics.Composite)
   {
     graphics.Composite.reset(new vtkOpenGLQuadHelper(window, nullptr, vtkNPRStrokeCompositeFS, ""));
@@ -397,10 +247,23 @@ void vtkNPRStrokeMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (vtkNPRStrokeMapper* other = vtkNPRStrokeMapper::SafeDownCast(mapper))
   {
     this->SetWidth(other->GetWidth());
+    this->SetWidthUnit(other->GetWidthUnit());
     this->SetUseWidthArray(other->GetUseWidthArray());
     this->SetStrengthToWidth(other->GetStrengthToWidth());
     this->SetMinimumWidthFactor(other->GetMinimumWidthFactor());
     this->SetStrengthToOpacity(other->GetStrengthToOpacity());
+    this->SetUseOpacityArray(other->GetUseOpacityArray());
+    this->SetCap(other->GetCap());
+    this->SetJoin(other->GetJoin());
+    this->SetMitreLimit(other->GetMitreLimit());
+    this->SetDashes(other->GetDashes());
+    this->SetHiddenDashes(other->GetHiddenDashes());
+    this->SetDashUnit(other->GetDashUnit());
+    this->SetMedium(other->GetMedium());
+    this->SetPaperGrain(other->GetPaperGrain());
+    this->SetGrainSize(other->GetGrainSize());
+    this->SetSeed(other->GetSeed());
+    this->SetUseHidingLayers(other->GetUseHidingLayers());
     this->SetDepthTest(other->GetDepthTest());
     this->SetDepthTolerance(other->GetDepthTolerance());
     this->SetVisibilityRadius(other->GetVisibilityRadius());
@@ -413,10 +276,23 @@ void vtkNPRStrokeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Width: " << this->Width << "\n";
+  os << indent << "WidthUnit: " << this->WidthUnit << "\n";
   os << indent << "UseWidthArray: " << this->UseWidthArray << "\n";
   os << indent << "StrengthToWidth: " << this->StrengthToWidth << "\n";
   os << indent << "MinimumWidthFactor: " << this->MinimumWidthFactor << "\n";
   os << indent << "StrengthToOpacity: " << this->StrengthToOpacity << "\n";
+  os << indent << "UseOpacityArray: " << this->UseOpacityArray << "\n";
+  os << indent << "Cap: " << this->Cap << "\n";
+  os << indent << "Join: " << this->Join << "\n";
+  os << indent << "MitreLimit: " << this->MitreLimit << "\n";
+  os << indent << "Dashes: " << this->Dashes[0] << " " << this->Dashes[1] << "\n";
+  os << indent << "HiddenDashes: " << this->HiddenDashes[0] << " " << this->HiddenDashes[1] << "\n";
+  os << indent << "DashUnit: " << this->DashUnit << "\n";
+  os << indent << "Medium: " << this->Medium << "\n";
+  os << indent << "PaperGrain: " << this->PaperGrain << "\n";
+  os << indent << "GrainSize: " << this->GrainSize << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "UseHidingLayers: " << this->UseHidingLayers << "\n";
   os << indent << "DepthTest: " << this->DepthTest << "\n";
   os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
   os << indent << "VisibilityRadius: " << this->VisibilityRadius << "\n";

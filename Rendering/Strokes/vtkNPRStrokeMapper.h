@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNPRStrokeMapper
- * @brief Draws lines as strokes of ink: antialiased, with a width, round joins and round caps.
+ * @brief Draws lines as strokes of ink, pencil, charcoal or brush: antialiased, with a width,
+ * joins, caps and dashes.
  *
  * Put it on a vtkActor; colour and opacity are those of the actor's vtkProperty (lighting plays no
  * part). The lines and polylines of the input are drawn; other cells are not.
@@ -25,8 +26,15 @@
  * With depth peeling they are not drawn, with a warning; VTK's default order-independent
  * translucency is served.
  *
- * Point arrays that are used if present: `Width` (multiplies Width; unit: pixels where Width is 1),
- * `Strength` ([0, 1]).
+ * Point arrays that are used if present: `Width` and `Opacity` (factors), `Strength` ([0, 1]),
+ * `ArcLength` (unit: length; measured if it is not there). Cell array: `HidingLayers`.
+ *
+ * Joins, caps, dashes and media other than round, none and ink need to know how long strokes are in
+ * the picture, which is measured on the CPU for each frame.
+ *
+ * Media are procedural, without any bitmap. What belongs to the stroke (bristles, the pressure of
+ * the hand) goes with it; the tooth of the paper stays where it is on the page, also in pictures
+ * that are rendered in tiles.
  *
  * @par Thanks:
  * Coverage from the distance to a segment: E. Chan, F. Durand: Fast Prefiltered Lines, GPU Gems 2,
@@ -45,9 +53,15 @@
 #include <memory>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 VTK_ABI_NAMESPACE_END
+
+#ifndef __VTK_WRAP__
+namespace npr
+{
+class StrokeGraphics;
+}
+#endif
 
 class VTKNPRRENDERINGSTROKES_EXPORT vtkNPRStrokeMapper : public vtkPolyDataMapper
 {
@@ -58,11 +72,27 @@ public:
 
   ///@{
   /**
-   * Width of strokes in pixels, [0, 1000]. A stroke thinner than a pixel is lighter, but unbroken.
-   * Default: 2.
+   * Width of strokes in WidthUnit, not negative. A stroke thinner than a pixel is lighter, but
+   * unbroken. Default: 2.
    */
-  vtkSetClampMacro(Width, double, 0.0, 1000.0);
+  vtkSetClampMacro(Width, double, 0.0, VTK_FLOAT_MAX);
   vtkGetMacro(Width, double);
+  ///@}
+
+  /** Units of Width and Dashes: pixels, or units of the world. */
+  enum Units
+  {
+    PIXELS = 0,
+    WORLD = 1
+  };
+
+  ///@{
+  /** The unit of Width. With perspective, strokes as wide in the world get thinner with the
+   * distance. Default: PIXELS. */
+  vtkSetClampMacro(WidthUnit, int, PIXELS, WORLD);
+  vtkGetMacro(WidthUnit, int);
+  void SetWidthUnitToPixels() { this->SetWidthUnit(PIXELS); }
+  void SetWidthUnitToWorld() { this->SetWidthUnit(WORLD); }
   ///@}
 
   ///@{
@@ -93,6 +123,121 @@ public:
   vtkSetMacro(StrengthToOpacity, bool);
   vtkGetMacro(StrengthToOpacity, bool);
   vtkBooleanMacro(StrengthToOpacity, bool);
+  ///@}
+
+  ///@{
+  /** Whether the point array `Opacity` multiplies the opacity. Default: on. */
+  vtkSetMacro(UseOpacityArray, bool);
+  vtkGetMacro(UseOpacityArray, bool);
+  vtkBooleanMacro(UseOpacityArray, bool);
+  ///@}
+
+  /** How strokes and dashes end. */
+  enum Caps
+  {
+    ROUND_CAP = 0, ///< with half a disc
+    BUTT_CAP = 1   ///< straight, at the end itself
+  };
+
+  ///@{
+  /** How strokes and their dashes end. Default: round. */
+  vtkSetClampMacro(Cap, int, ROUND_CAP, BUTT_CAP);
+  vtkGetMacro(Cap, int);
+  void SetCapToRound() { this->SetCap(ROUND_CAP); }
+  void SetCapToButt() { this->SetCap(BUTT_CAP); }
+  ///@}
+
+  /** What corners of strokes look like outside. */
+  enum Joins
+  {
+    ROUND_JOIN = 0,
+    BEVEL_JOIN = 1,
+    MITRE_JOIN = 2
+  };
+
+  ///@{
+  /** What corners look like; turns of less than 18 degrees are none. Default: round. */
+  vtkSetClampMacro(Join, int, ROUND_JOIN, MITRE_JOIN);
+  vtkGetMacro(Join, int);
+  void SetJoinToRound() { this->SetJoin(ROUND_JOIN); }
+  void SetJoinToBevel() { this->SetJoin(BEVEL_JOIN); }
+  void SetJoinToMitre() { this->SetJoin(MITRE_JOIN); }
+  ///@}
+
+  ///@{
+  /** A mitre that would be longer than this, in widths from the inner to the outer corner, [1,
+   * 100], is a bevel. Default: 4, as in SVG. */
+  vtkSetClampMacro(MitreLimit, double, 1.0, 100.0);
+  vtkGetMacro(MitreLimit, double);
+  ///@}
+
+  ///@{
+  /** Lengths of dashes and of the gaps between them, in DashUnit, along the stroke from its start;
+   * round caps go into the gaps. No gaps: not dashed. Default: (0, 0). */
+  vtkSetVector2Macro(Dashes, double);
+  vtkGetVector2Macro(Dashes, double);
+  ///@}
+
+  ///@{
+  /** The same for hidden parts, which HiddenOpacity shows. Default: (0, 0). */
+  vtkSetVector2Macro(HiddenDashes, double);
+  vtkGetVector2Macro(HiddenDashes, double);
+  ///@}
+
+  ///@{
+  /** The unit of dashes: PIXELS in the picture, or WORLD, along the array `ArcLength`. Default:
+   * PIXELS. */
+  vtkSetClampMacro(DashUnit, int, PIXELS, WORLD);
+  vtkGetMacro(DashUnit, int);
+  void SetDashUnitToPixels() { this->SetDashUnit(PIXELS); }
+  void SetDashUnitToWorld() { this->SetDashUnit(WORLD); }
+  ///@}
+
+  /** What strokes are drawn with. */
+  enum Media
+  {
+    INK = 0,      ///< even
+    PENCIL = 1,   ///< pressed unevenly, less at its edges
+    CHARCOAL = 2, ///< the same, crumbling at its edges
+    BRUSH = 3     ///< full, with gaps between the bristles where it runs dry
+  };
+
+  ///@{
+  /** What strokes are drawn with. Default: INK. */
+  vtkSetClampMacro(Medium, int, INK, BRUSH);
+  vtkGetMacro(Medium, int);
+  void SetMediumToInk() { this->SetMedium(INK); }
+  void SetMediumToPencil() { this->SetMedium(PENCIL); }
+  void SetMediumToCharcoal() { this->SetMedium(CHARCOAL); }
+  void SetMediumToBrush() { this->SetMedium(BRUSH); }
+  ///@}
+
+  ///@{
+  /** How much the tooth of the paper shows, [0, 1]: at 1 the medium takes only to as many heights
+   * of it as it is pressed hard and opaque, at 0 it is as translucent instead. Default: 0. */
+  vtkSetClampMacro(PaperGrain, double, 0.0, 1.0);
+  vtkGetMacro(PaperGrain, double);
+  ///@}
+
+  ///@{
+  /** Distance of the heights of the paper, which the medium's own texture goes by, too. Pixels,
+   * [0.1, 1000]. Default: 3. */
+  vtkSetClampMacro(GrainSize, double, 0.1, 1000.0);
+  vtkGetMacro(GrainSize, double);
+  ///@}
+
+  ///@{
+  /** Another seed, other irregularities of the medium. Default: 0. */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /** Whether strokes are hidden where the cell array `HidingLayers` is not 0. Switch DepthTest off
+   * where that is all that is to hide them. Default: off. */
+  vtkSetMacro(UseHidingLayers, bool);
+  vtkGetMacro(UseHidingLayers, bool);
+  vtkBooleanMacro(UseHidingLayers, bool);
   ///@}
 
   ///@{
@@ -138,10 +283,23 @@ protected:
   ~vtkNPRStrokeMapper() override;
 
   double Width = 2.0;
+  int WidthUnit = PIXELS;
   bool UseWidthArray = true;
   bool StrengthToWidth = false;
   double MinimumWidthFactor = 0.25;
   bool StrengthToOpacity = false;
+  bool UseOpacityArray = true;
+  int Cap = ROUND_CAP;
+  int Join = ROUND_JOIN;
+  double MitreLimit = 4.0;
+  double Dashes[2] = { 0.0, 0.0 };
+  double HiddenDashes[2] = { 0.0, 0.0 };
+  int DashUnit = PIXELS;
+  int Medium = INK;
+  double PaperGrain = 0.0;
+  double GrainSize = 3.0;
+  int Seed = 0;
+  bool UseHidingLayers = false;
   bool DepthTest = true;
   double DepthTolerance = 2.0;
   double VisibilityRadius = 2.0;
@@ -151,14 +309,16 @@ private:
   vtkNPRStrokeMapper(const vtkNPRStrokeMapper&) = delete;
   void operator=(const vtkNPRStrokeMapper&) = delete;
 
+  bool IsStyled() const;
+  vtkShaderProgram* ReadyProgram();
   void DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
   void SetUniforms(
     vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
+  void SetStyleUniforms(vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
   void SetClippingUniforms(vtkActor* actor, vtkShaderProgram* program);
-  void LayInkOver(vtkOpenGLRenderWindow* window, vtkActor* actor, bool orderIndependent);
+  void LayInkOver(vtkActor* actor, bool orderIndependent);
 
-  class Graphics;
-  std::unique_ptr<Graphics> Resources;
+  std::unique_ptr<npr::StrokeGraphics> Graphics;
 };
 
 #endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprStrokeGraphics.h"
+
+#include <vtkCommand.h>
+#include <vtkOpenGLBufferObject.h>
+#include <vtkOpenGLError.h>
+#include <vtkOpenGLQuadHelper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLVertexArrayObject.h>
+#include <vtkPolyData.h>
+#include <vtkShaderProgram.h>
+#include <vtkTextureObject.h>
+
+#include <algorithm>
+
+namespace npr
+{
+StrokeGraphics::StrokeGraphics() = default;
+
+StrokeGraphics::~StrokeGraphics()
+{
+  this->Release();
+}
+
+//------------------------------------------------------------------------------
+void StrokeGraphics::SetWindow(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window == window)
+  {
+    return;
+  }
+  this->Release();
+  this->Window = window;
+  this->WindowObserver =
+    window->AddObserver(vtkCommand::DeleteEvent, this, &StrokeGraphics::Release);
+}
+
+//------------------------------------------------------------------------------
+void StrokeGraphics::Release()
+{
+  if (!this->Window)
+  {
+    return;
+  }
+  this->Window->PushContext();
+  this->Composite.reset();
+  this->Layer.ReleaseGraphicsResources(this->Window);
+  this->VertexArray->ReleaseGraphicsResources();
+  this->Buffer->ReleaseGraphicsResources();
+  this->BufferTexture->ReleaseGraphicsResources(this->Window);
+  this->Lengths->ReleaseGraphicsResources();
+  this->LengthsTexture->ReleaseGraphicsResources(this->Window);
+  this->NumberOfSegments = 0;
+  this->UploadTime = vtkTimeStamp();
+  this->Window->PopContext();
+  this->Window->RemoveObserver(this->WindowObserver);
+  this->Window = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void StrokeGraphics::Upload(vtkPolyData* input)
+{
+  if (this->UploadTime > input->GetMTime() && this->UploadedInput == input)
+  {
+    return;
+  }
+  this->Records = MakeStrokeRecords(input);
+  const std::vector<StrokeRecord>& records = this->Records.Records;
+  this->NumberOfSegments = std::max<std::ptrdiff_t>(records.size(), 1) - 1;
+  if (this->NumberOfSegments > 0)
+  {
+    const std::size_t size = records.size() * (sizeof(StrokeRecord) / sizeof(float));
+    this->Buffer->Upload(records[0].Position, size, vtkOpenGLBufferObject::TextureBuffer);
+    this->BufferTexture->SetContext(this->Window);
+    this->BufferTexture->CreateTextureBuffer(
+      static_cast<unsigned int>(size / 4), 4, VTK_FLOAT, this->Buffer);
+  }
+  this->UploadedInput = input;
+  this->UploadTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void StrokeGraphics::UploadPageLengths(vtkMatrix4x4* toDevice, const float viewportSize[2])
+{
+  const std::vector<float> lengths = MeasurePageLengths(this->Records, toDevice, viewportSize);
+  this->Lengths->Upload(lengths, vtkOpenGLBufferObject::TextureBuffer);
+  this->LengthsTexture->SetContext(this->Window);
+  this->LengthsTexture->CreateTextureBuffer(
+    static_cast<unsigned int>(lengths.size()), 1, VTK_FLOAT, this->Lengths);
+}
+
+//------------------------------------------------------------------------------
+void StrokeGraphics::Draw(vtkShaderProgram* program, bool depthTest, bool pageLengths)
+{
+  // Samplers of two kinds must not share a unit, even where one is not used.
+  int unused = 0;
+  const auto bind = [&](const char* name, vtkTextureObject* texture)
+  {
+    texture->Activate();
+    program->SetUniformi(name, texture->GetTextureUnit());
+    unused = std::max(unused, texture->GetTextureUnit() + 1);
+  };
+  bind("nprRecords", this->BufferTexture);
+  if (pageLengths)
+  {
+    bind("nprPageLengths", this->LengthsTexture);
+  }
+  program->SetUniformi("nprDepthTest", depthTest);
+  if (depthTest)
+  {
+    bind("nprDepthTexture", this->Layer.GetDepth());
+  }
+  else
+  {
+    program->SetUniformi("nprDepthTexture", unused);
+  }
+  this->VertexArray->Bind(); // OpenGL wants one, even without attributes
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * this->NumberOfSegments));
+  this->VertexArray->Release();
+  this->BufferTexture->Deactivate();
+  if (pageLengths)
+  {
+    this->LengthsTexture->Deactivate();
+  }
+  if (depthTest)
+  {
+    this->Layer.GetDepth()->Deactivate();
+  }
+}
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprStrokeGraphics_h
+#define nprStrokeGraphics_h
+
+#include "nprStrokeBuffer.h"
+#include "nprStrokeLayer.h"
+#include "nprVTKCompat.h"
+
+#include <vtkNew.h>
+#include <vtkTimeStamp.h>
+#include <vtkWeakPointer.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMatrix4x4;
+class vtkOpenGLBufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkPolyData;
+class vtkShaderProgram;
+class vtkTextureObject;
+VTK_ABI_NAMESPACE_END
+
+namespace npr
+{
+/**
+ * @class StrokeGraphics
+ * @brief What a stroke mapper keeps in OpenGL: the records of the strokes, and the layer of ink.
+ *
+ * Everything belongs to one window; what was made for another is given back to it. A window that
+ * dies says so while its context still lives.
+ */
+class StrokeGraphics
+{
+public:
+  StrokeGraphics();
+  ~StrokeGraphics();
+  StrokeGraphics(const StrokeGraphics&) = delete;
+  void operator=(const StrokeGraphics&) = delete;
+
+  vtkOpenGLRenderWindow* GetWindow() { return this->Window; }
+  void SetWindow(vtkOpenGLRenderWindow* window);
+  void Release();
+
+  /// Brings the records up to date with the input.
+  void Upload(vtkPolyData* input);
+  /// Measures how long strokes are on the page in this view.
+  void UploadPageLengths(vtkMatrix4x4* toDevice, const float viewportSize[2]);
+
+  /// Draws all segments with a program, whose uniforms are set but for the textures.
+  void Draw(vtkShaderProgram* program, bool depthTest, bool pageLengths);
+
+  std::ptrdiff_t GetNumberOfSegments() const { return this->NumberOfSegments; }
+  const StrokeRecords& GetRecords() const { return this->Records; }
+
+  StrokeLayer Layer;
+  std::unique_ptr<vtkOpenGLQuadHelper> Composite;
+
+private:
+  vtkOpenGLRenderWindow* Window = nullptr;
+  unsigned long WindowObserver = 0;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkTextureObject> BufferTexture;
+  vtkNew<vtkOpenGLBufferObject> Lengths;
+  vtkNew<vtkTextureObject> LengthsTexture;
+
+  StrokeRecords Records;
+  std::ptrdiff_t NumberOfSegments = 0;
+  vtkTimeStamp UploadTime;
+  vtkWeakPointer<vtkPolyData> UploadedInput;
+};
+}
+
+#endif
