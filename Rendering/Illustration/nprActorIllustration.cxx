@@ -6,8 +6,6 @@
 #include "nprStyleObjects.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRLineDefinition.h"
-#include "vtkNPRLineSelection.h"
-#include "vtkNPRSplineStrokes.h"
 #include "vtkNPRStrokeMapper.h"
 
 #include <vtkActor.h>
@@ -115,7 +113,11 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
   {
     if (!style.Lines[i].Optional)
     {
-      this->AddStrokes(style.Lines[i], lines->GetNumberOfDefinitions());
+      this->AllStrokes.emplace_back(
+        style.Lines[i], lines->GetNumberOfDefinitions(), this->Pipeline, actor->GetMatrix());
+      LineStrokes& strokes = this->AllStrokes.back();
+      strokes.GetMapper()->SetClippingPlanes(this->OriginalMapper->GetClippingPlanes());
+      renderer->AddActor(strokes.GetActor());
       lines->AddDefinition(MakeLineDefinition(style.Lines[i], "/lines/" + std::to_string(i)));
     }
   }
@@ -130,9 +132,9 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
 //------------------------------------------------------------------------------
 ActorIllustration::~ActorIllustration()
 {
-  for (Strokes& strokes : this->AllStrokes)
+  for (LineStrokes& strokes : this->AllStrokes)
   {
-    this->Renderer->RemoveActor(strokes.Actor);
+    this->Renderer->RemoveActor(strokes.GetActor());
   }
   if (this->Actor->GetMapper() == this->SurfaceMapper)
   {
@@ -175,9 +177,9 @@ void ActorIllustration::Follow(const PageScale& scale)
 {
   const bool isShown = this->Actor->GetVisibility() &&
     this->Actor->GetMapper() == this->SurfaceMapper && this->Renderer->HasViewProp(this->Actor);
-  for (Strokes& strokes : this->AllStrokes)
+  for (LineStrokes& strokes : this->AllStrokes)
   {
-    strokes.Actor->SetVisibility(isShown && strokes.IsVisible);
+    strokes.GetActor()->SetVisibility(isShown && strokes.IsVisible);
   }
   if (!isShown)
   {
@@ -201,15 +203,9 @@ void ActorIllustration::SetScale(const PageScale& scale)
   // turning camera does not.
   const double pixel = scale.WorldPerPixel / this->MatrixScale;
   const bool resample = !(std::abs(pixel - this->SampledPixel) <= 0.25 * this->SampledPixel);
-  for (Strokes& strokes : this->AllStrokes)
+  for (LineStrokes& strokes : this->AllStrokes)
   {
-    strokes.Mapper->SetWidth(strokes.WidthInUnits * scale.PixelsPerUnitOfWidth);
-    if (resample)
-    {
-      strokes.Splines->SetMaximumChordError(0.1 * pixel);
-      strokes.Selection->SetMinimumLength(
-        strokes.MinimumLengthInUnits * scale.PixelsPerUnit * pixel);
-    }
+    strokes.SetScale(scale, this->Renderer->GetActiveCamera(), pixel, resample);
   }
   if (resample)
   {
@@ -252,41 +248,5 @@ void ActorIllustration::ShadeSurface(const StyleDocument& style)
   }
   this->Actor->SetMapper(this->SurfaceMapper);
   this->Actor->SetProperty(property);
-}
-
-//------------------------------------------------------------------------------
-void ActorIllustration::AddStrokes(const LineStyle& line, int index)
-{
-  Strokes strokes;
-  strokes.WidthInUnits = line.Width;
-  strokes.MinimumLengthInUnits = line.MinimumLength;
-
-  strokes.Selection = vtkSmartPointer<vtkNPRLineSelection>::New();
-  strokes.Selection->SetInputConnection(this->Pipeline.GetFeatureLines()->GetOutputPort());
-  strokes.Selection->SetLineIndex(index);
-
-  strokes.Splines = vtkSmartPointer<vtkNPRSplineStrokes>::New();
-  strokes.Splines->SetInputConnection(strokes.Selection->GetOutputPort());
-  const bool straight = line.Spline == "none" || this->Pipeline.IsFaceted();
-  strokes.Splines->SetSplineType(straight ? vtkNPRSplineStrokes::NONE
-      : line.Spline == "b-spline"         ? vtkNPRSplineStrokes::B_SPLINE
-                                          : vtkNPRSplineStrokes::CATMULL_ROM);
-  strokes.Splines->SetSmoothingIterations(this->Pipeline.IsFaceted() ? 0 : line.Smoothing);
-
-  strokes.Mapper = vtkSmartPointer<vtkNPRStrokeMapper>::New();
-  strokes.Mapper->SetInputConnection(strokes.Splines->GetOutputPort());
-  strokes.Mapper->SetStrengthToWidth(line.Taper);
-  strokes.Mapper->SetStrengthToOpacity(line.Fade);
-  strokes.Mapper->SetClippingPlanes(this->OriginalMapper->GetClippingPlanes());
-
-  strokes.Actor = vtkSmartPointer<vtkActor>::New();
-  strokes.Actor->SetMapper(strokes.Mapper);
-  strokes.Actor->SetUserMatrix(this->Actor->GetMatrix());
-  strokes.Actor->GetProperty()->SetColor(line.Ink[0], line.Ink[1], line.Ink[2]);
-  strokes.Actor->GetProperty()->SetOpacity(line.Opacity);
-  strokes.Actor->PickableOff();
-  strokes.Actor->UseBoundsOff();
-  this->Renderer->AddActor(strokes.Actor);
-  this->AllStrokes.push_back(strokes);
 }
 }

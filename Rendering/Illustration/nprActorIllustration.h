@@ -3,6 +3,7 @@
 #ifndef nprActorIllustration_h
 #define nprActorIllustration_h
 
+#include "nprLineStrokes.h"
 #include "nprPageScale.h"
 #include "nprSurfacePipeline.h"
 
@@ -16,9 +17,6 @@ class vtkActor;
 class vtkAlgorithm;
 class vtkMapper;
 class vtkMatrix4x4;
-class vtkNPRLineSelection;
-class vtkNPRSplineStrokes;
-class vtkNPRStrokeMapper;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkPolyDataNormals;
@@ -28,7 +26,6 @@ class vtkTexture;
 
 namespace npr
 {
-struct LineStyle;
 struct StyleDocument;
 
 /**
@@ -68,20 +65,8 @@ public:
   ///@}
 
 private:
-  struct Strokes
-  {
-    vtkSmartPointer<vtkNPRLineSelection> Selection;
-    vtkSmartPointer<vtkNPRSplineStrokes> Splines;
-    vtkSmartPointer<vtkNPRStrokeMapper> Mapper;
-    vtkSmartPointer<vtkActor> Actor;
-    bool IsVisible = true;
-    double WidthInUnits = 1.0;
-    double MinimumLengthInUnits = 0.0;
-  };
-
   void Connect();
   void ShadeSurface(const StyleDocument& style);
-  void AddStrokes(const LineStyle& line, int index);
   void SetScale(const PageScale& scale);
 
   vtkSmartPointer<vtkActor> Actor;
@@ -95,7 +80,7 @@ private:
   vtkSmartPointer<vtkAlgorithmOutput> Input;        // what the user's mapper shows
   bool IsTextured = false;                          // and so shown as it is, not refined
   SurfacePipeline Pipeline;
-  std::vector<Strokes> AllStrokes;
+  std::vector<LineStrokes> AllStrokes;
   double MatrixScale = 1.0;
   double SampledPixel = 0.0;
 };

@@ -28,6 +28,7 @@ PageScale PageScale::Of(vtkRenderer* renderer)
   const int shorter = std::min(width, height);
   scale.PixelsPerUnit = shorter / 1000.0;
   scale.PixelsPerUnitOfWidth = std::max(shorter, SmallestSide) / 1000.0;
+  scale.ViewHeightsPerUnit = scale.PixelsPerUnit / height;
   if (camera->GetParallelProjection())
   {
     scale.WorldPerPixel = 2.0 * camera->GetParallelScale() / height;

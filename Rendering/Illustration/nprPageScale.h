@@ -14,7 +14,8 @@ struct PageScale
 {
   double PixelsPerUnit = 1.0;
   double PixelsPerUnitOfWidth = 1.0; ///< Of lines: small images keep visible ones.
-  double WorldPerPixel = 1.0;        ///< Length of a pixel's side at the focal point.
+  double ViewHeightsPerUnit = 0.001;
+  double WorldPerPixel = 1.0; ///< Length of a pixel's side at the focal point.
 
   static PageScale Of(vtkRenderer* renderer);
 

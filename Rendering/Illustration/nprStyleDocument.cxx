@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprStyleDocument.h"
 
+#include "nprArrayNames.h"
+#include "nprStyleSection.h"
+
 #include <vtkColor.h>
 #include <vtkNamedColors.h>
 #include <vtkNew.h>
@@ -9,14 +12,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace npr
 {
 namespace
 {
-using Json = nlohmann::json;
+using Json = StyleSection::Json;
 
 /// The byte offset that the parser reports, as people count.
 std::string PlaceOf(const std::string& text, std::size_t offset)
@@ -28,209 +29,12 @@ std::string PlaceOf(const std::string& text, std::size_t offset)
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-/// One object of the document. Remembers which keys were asked for, so that Finish() can refuse
-/// the others: a misspelt key must not be ignored.
-class Section
-{
-public:
-  Section(const Json& object, std::string path) : Object(object), Path(std::move(path))
-  {
-    if (!object.is_object())
-    {
-      throw StyleError((this->Path.empty() ? "the style" : this->Path) + " must be an object { }");
-    }
-  }
-
-  [[noreturn]] void Fail(const std::string& key, const std::string& what) const
-  {
-    throw StyleError(this->Path + "/" + key + " " + what);
-  }
-
-  const Json* Find(const std::string& key)
-  {
-    this->Known.insert(key);
-    const auto found = this->Object.find(key);
-    return found == this->Object.end() ? nullptr : &*found;
-  }
-
-  void Read(const std::string& key, std::string& value)
-  {
-    if (const Json* json = this->Find(key))
-    {
-      if (!json->is_string())
-      {
-        this->Fail(key, "must be a string");
-      }
-      value = json->get<std::string>();
-    }
-  }
-
-  void Read(const std::string& key, bool& value)
-  {
-    if (const Json* json = this->Find(key))
-    {
-      if (!json->is_boolean())
-      {
-        this->Fail(key, "must be true or false");
-      }
-      value = json->get<bool>();
-    }
-  }
-
-  void Read(const std::string& key, double& value, double low, double high)
-  {
-    if (const Json* json = this->Find(key))
-    {
-      const double number = json->is_number() ? json->get<double>() : std::nan("");
-      if (!(number >= low && number <= high))
-      {
-        this->Fail(key, "must be a number from " + Text(low) + " to " + Text(high));
-      }
-      value = number;
-    }
-  }
-
-  void Read(const std::string& key, int& value, int low, int high)
-  {
-    double number = value;
-    this->Read(key, number, double(low), double(high));
-    if (number != std::floor(number))
-    {
-      this->Fail(key, "must be a whole number");
-    }
-    value = static_cast<int>(number);
-  }
-
-  void Read(const std::string& key, Color& value)
-  {
-    if (const Json* json = this->Find(key))
-    {
-      value = this->ToColor(key, *json);
-    }
-  }
-
-  Color ToColor(const std::string& key, const Json& json) const
-  {
-    if (json.is_string())
-    {
-      try
-      {
-        return ParseColor(json.get<std::string>());
-      }
-      catch (const StyleError& error)
-      {
-        this->Fail(key, std::string("is not a colour: ") + error.what());
-      }
-    }
-    const std::vector<double> numbers = this->ToNumbers(key, json);
-    if (numbers.size() != 3 ||
-      std::any_of(numbers.begin(), numbers.end(), [](double v) { return v < 0.0 || v > 1.0; }))
-    {
-      this->Fail(key, "must be a colour: \"#rrggbb\", a name, or three numbers from 0 to 1");
-    }
-    return { numbers[0], numbers[1], numbers[2] };
-  }
-
-  /// All keys that nobody asked for, as parameters for the object that the section describes.
-  Parameters ReadOthers()
-  {
-    Parameters others;
-    for (const auto& [key, json] : this->Object.items())
-    {
-      if (this->Known.count(key) == 0)
-      {
-        if (json.is_string())
-        {
-          others[key] = json.get<std::string>();
-        }
-        else
-        {
-          others[key] = this->ToNumbers(key, json);
-        }
-      }
-    }
-    return others;
-  }
-
-  void Finish() const
-  {
-    for (const auto& item : this->Object.items())
-    {
-      if (this->Known.count(item.key()) == 0)
-      {
-        std::string known;
-        for (const std::string& name : this->Known)
-        {
-          known += (known.empty() ? "" : ", ") + name;
-        }
-        this->Fail(item.key(), "is not known; the keys here are: " + known);
-      }
-    }
-  }
-
-  /// The sections of the list under a key; empty when there is none.
-  std::vector<Section> List(const std::string& key)
-  {
-    std::vector<Section> sections;
-    if (const Json* list = this->Find(key))
-    {
-      if (!list->is_array())
-      {
-        this->Fail(key, "must be a list [ ]");
-      }
-      for (std::size_t i = 0; i < list->size(); ++i)
-      {
-        sections.emplace_back((*list)[i], this->Path + "/" + key + "/" + std::to_string(i));
-      }
-    }
-    return sections;
-  }
-
-private:
-  static std::string Text(double value)
-  {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.')
-    {
-      text.pop_back();
-    }
-    return text;
-  }
-
-  std::vector<double> ToNumbers(const std::string& key, const Json& json) const
-  {
-    std::vector<double> numbers;
-    const auto add = [&](const Json& item)
-    {
-      if (!item.is_number() && !item.is_boolean())
-      {
-        this->Fail(key, "must be a number, true or false, a text, or a list of numbers");
-      }
-      numbers.push_back(item.is_boolean() ? double(item.get<bool>()) : item.get<double>());
-    };
-    if (json.is_array())
-    {
-      std::for_each(json.begin(), json.end(), add);
-    }
-    else
-    {
-      add(json);
-    }
-    return numbers;
-  }
-
-  const Json& Object;
-  std::string Path;
-  std::set<std::string> Known;
-};
-
-void ReadBackground(Section& root, StyleDocument& style)
+void ReadBackground(StyleSection& root, StyleDocument& style)
 {
   const Json* background = root.Find("background");
   if (background && background->is_object())
   {
-    Section section(*background, "/background");
+    StyleSection section(*background, "/background");
     section.Read("bottom", style.BackgroundBottom);
     section.Read("top", style.BackgroundTop);
     section.Finish();
@@ -241,7 +45,55 @@ void ReadBackground(Section& root, StyleDocument& style)
   }
 }
 
-ShadingStyle ReadShading(Section section)
+std::vector<TermStyle> ReadTerms(
+  StyleSection& section, const std::string& key, double most, std::vector<TermStyle> terms)
+{
+  if (section.Find(key))
+  {
+    terms.clear();
+  }
+  for (StyleSection& item : section.List(key))
+  {
+    TermStyle term;
+    int array = -1;
+    item.Read("by", array, TermStyle::GetArrays());
+    if (array < 0)
+    {
+      item.Fail("by", "is missing: name an array of lines, such as \"ViewDistance\"");
+    }
+    term.Array = TermStyle::GetArrays()[array];
+    item.Read("range", term.Range, -1.0e9, 1.0e9);
+    item.Read("factors", term.Factors, 0.0, most);
+    item.Read("smooth", term.Smooth);
+    item.Finish();
+    terms.push_back(term);
+  }
+  return terms;
+}
+
+void ReadStrokeStyle(StyleSection& section, StrokeStyle& stroke)
+{
+  section.Read("cap", stroke.Cap, { "round", "butt" });
+  section.Read("join", stroke.Join, { "round", "bevel", "mitre" });
+  section.Read("mitre_limit", stroke.MitreLimit, 1.0, 100.0);
+  section.Read("dashes", stroke.Dashes, 0.0, 1000.0);
+  section.Read("hidden_opacity", stroke.HiddenOpacity, 0.0, 1.0);
+  section.Read("hidden_dashes", stroke.HiddenDashes, 0.0, 1000.0);
+  section.Read("medium", stroke.Medium, { "ink", "pencil", "charcoal", "brush" });
+  section.Read("grain", stroke.Grain, 0.0, 1.0);
+  section.Read("grain_size", stroke.GrainSize, 0.1, 100.0);
+  section.Read("taper_length", stroke.TaperLength, 0.0, 1000.0);
+  section.Read("taper_width", stroke.TaperedWidth, 0.0, 1.0);
+  section.Read("taper_opacity", stroke.TaperedOpacity, 0.0, 1.0);
+  section.Read("overshoot", stroke.Overshoot, 0.0, 1000.0);
+  section.Read("wobble", stroke.Wobble, 0.0, 100.0);
+  section.Read("wobble_length", stroke.WobbleLength, 1.0, 10000.0);
+  section.Read("seed", stroke.Seed, 0, 1000000);
+  stroke.WidthBy = ReadTerms(section, "width_by", 100.0, std::move(stroke.WidthBy));
+  stroke.OpacityBy = ReadTerms(section, "opacity_by", 1.0, std::move(stroke.OpacityBy));
+}
+
+ShadingStyle ReadShading(StyleSection section)
 {
   ShadingStyle shading;
   section.Read("style", shading.Style);
@@ -254,7 +106,7 @@ ShadingStyle ReadShading(Section section)
   return shading;
 }
 
-LightStyle ReadLight(Section section)
+LightStyle ReadLight(StyleSection section)
 {
   LightStyle light;
   section.Read("azimuth", light.Azimuth, -360.0, 360.0);
@@ -265,7 +117,7 @@ LightStyle ReadLight(Section section)
   return light;
 }
 
-GeometryStyle ReadGeometry(Section section)
+GeometryStyle ReadGeometry(StyleSection section)
 {
   GeometryStyle geometry;
   section.Read("crease_angle", geometry.CreaseAngle, 0.0, 180.0);
@@ -276,9 +128,10 @@ GeometryStyle ReadGeometry(Section section)
   return geometry;
 }
 
-LineStyle ReadLine(Section section)
+LineStyle ReadLine(StyleSection section, const StrokeStyle& strokes)
 {
   LineStyle line;
+  line.Stroke = strokes;
   section.Read("type", line.Type);
   if (line.Type.empty())
   {
@@ -299,6 +152,7 @@ LineStyle ReadLine(Section section)
   {
     section.Read("fade", line.Fade);
   }
+  ReadStrokeStyle(section, line.Stroke);
   section.Read("minimum_length", line.MinimumLength, 0.0, 1000.0);
   section.Read("optional", line.Optional);
   line.DefinitionParameters = section.ReadOthers();
@@ -322,6 +176,21 @@ Color ParseColor(const std::string& text)
   }
   const vtkColor3ub color = isCode ? colors->HTMLColorToRGB(text) : colors->GetColor3ub(text);
   return { color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 };
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& TermStyle::GetArrays()
+{
+  static const std::vector<std::string> arrays{ names::Strength, names::ViewDistance,
+    names::ArcLength, names::CurveCurvature };
+  return arrays;
+}
+
+//------------------------------------------------------------------------------
+bool StrokeStyle::NeedsAttributes() const
+{
+  return this->TaperLength > 0.0 || this->Overshoot > 0.0 || this->Wobble > 0.0 ||
+    !this->WidthBy.empty() || !this->OpacityBy.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -351,25 +220,32 @@ StyleDocument ParseStyle(const std::string& json)
   }
 
   StyleDocument style;
-  Section root(parsed, "");
+  StyleSection root(parsed, "");
   root.Read("name", style.Name);
   root.Read("description", style.Description);
   ReadBackground(root, style);
   if (const Json* shading = root.Find("shading"))
   {
-    style.Shading = ReadShading(Section(*shading, "/shading"));
+    style.Shading = ReadShading(StyleSection(*shading, "/shading"));
   }
-  for (const Section& light : root.List("lights"))
+  for (const StyleSection& light : root.List("lights"))
   {
     style.Lights.push_back(ReadLight(light));
   }
   if (const Json* geometry = root.Find("geometry"))
   {
-    style.Geometry = ReadGeometry(Section(*geometry, "/geometry"));
+    style.Geometry = ReadGeometry(StyleSection(*geometry, "/geometry"));
   }
-  for (const Section& line : root.List("lines"))
+  StrokeStyle strokes;
+  if (const Json* common = root.Find("strokes"))
   {
-    style.Lines.push_back(ReadLine(line));
+    StyleSection section(*common, "/strokes");
+    ReadStrokeStyle(section, strokes);
+    section.Finish();
+  }
+  for (const StyleSection& line : root.List("lines"))
+  {
+    style.Lines.push_back(ReadLine(line, strokes));
   }
   root.Finish();
   return style;

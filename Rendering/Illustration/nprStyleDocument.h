@@ -32,6 +32,45 @@ struct StyleError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// A factor by an array of the lines.
+struct TermStyle
+{
+  std::string Array;
+  std::array<double, 2> Range = { 0.0, 0.0 }; ///< Of its values; of the lines in view, where equal.
+  std::array<double, 2> Factors = { 0.0, 1.0 }; ///< At both.
+  bool Smooth = false;
+
+  /// Those that there are.
+  static const std::vector<std::string>& GetArrays();
+};
+
+/// How strokes look, besides their width and colour. Lengths are in thousandths of the shorter
+/// side.
+struct StrokeStyle
+{
+  int Cap = 0; ///< of vtkNPRStrokeMapper, as Join and Medium
+  int Join = 0;
+  double MitreLimit = 4.0;                           ///< widths, 1..100
+  std::array<double, 2> Dashes = { 0.0, 0.0 };       ///< on and off; not dashed without off
+  double HiddenOpacity = 0.0;                        ///< 0..1, of parts behind surfaces
+  std::array<double, 2> HiddenDashes = { 0.0, 0.0 }; ///< of parts behind surfaces
+  int Medium = 0;
+  double Grain = 0.0; ///< 0..1, how much the tooth of the paper shows
+  double GrainSize = 2.0;
+  double TaperLength = 0.0;
+  double TaperedWidth = 0.0;   ///< 0..1, factor at the ends
+  double TaperedOpacity = 1.0; ///< 0..1, factor at the ends
+  double Overshoot = 0.0;
+  double Wobble = 0.0;
+  double WobbleLength = 60.0;
+  int Seed = 0;
+  std::vector<TermStyle> WidthBy;
+  std::vector<TermStyle> OpacityBy;
+
+  /// Whether it takes more than a mapper.
+  bool NeedsAttributes() const;
+};
+
 struct LineStyle
 {
   std::string Type;   ///< A name that vtkNPRLineDefinition knows.
@@ -44,7 +83,8 @@ struct LineStyle
   bool Fade = false;          ///< Weak parts of a line are more transparent. A number under this
                               ///< key is a parameter of the definition instead.
   double MinimumLength = 0.0; ///< Thousandths of the shorter side; shorter chains are dropped.
-  bool Optional = false;      ///< Only drawn where this kind of line is asked for by its name.
+  StrokeStyle Stroke;
+  bool Optional = false; ///< Only drawn where this kind of line is asked for by its name.
   Parameters DefinitionParameters;
 };
 

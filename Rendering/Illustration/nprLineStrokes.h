@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprLineStrokes_h
+#define nprLineStrokes_h
+
+#include "nprPageScale.h"
+#include "nprStyleDocument.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkActor;
+class vtkCamera;
+class vtkMatrix4x4;
+class vtkNPRLineSelection;
+class vtkNPRSplineStrokes;
+class vtkNPRStrokeAttributes;
+class vtkNPRStrokeMapper;
+
+namespace npr
+{
+class SurfacePipeline;
+
+/**
+ * @class LineStrokes
+ * @brief The strokes that draw one kind of line on one surface.
+ *
+ * lines -> selection -> splines -> attributes, where the style has any -> mapper.
+ */
+class LineStrokes
+{
+public:
+  /// @param index of the definition among those of the pipeline's feature lines
+  LineStrokes(const LineStyle& line, int index, SurfacePipeline& pipeline, vtkMatrix4x4* matrix);
+  LineStrokes(LineStrokes&&);
+  ~LineStrokes();
+
+  vtkActor* GetActor();
+  vtkNPRStrokeMapper* GetMapper();
+
+  /// Whether they are drawn while their surface is.
+  bool IsVisible = true;
+
+  /// Before each frame. `modelPixel` is the size of a pixel in the model; splines are sampled anew
+  /// for it when `resample` says so.
+  void SetScale(const PageScale& scale, vtkCamera* camera, double modelPixel, bool resample);
+
+private:
+  LineStyle Style;
+  vtkSmartPointer<vtkNPRLineSelection> Selection;
+  vtkSmartPointer<vtkNPRSplineStrokes> Splines;
+  vtkSmartPointer<vtkNPRStrokeAttributes> Attributes; // null where the style needs none
+  vtkSmartPointer<vtkNPRStrokeMapper> Mapper;
+  vtkSmartPointer<vtkActor> Actor;
+};
+}
+
+#endif
