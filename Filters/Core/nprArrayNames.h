@@ -59,6 +59,8 @@ inline constexpr const char* Width = "Width";                 // points, 1, a fa
 inline constexpr const char* Opacity = "Opacity";             // points, 1, a factor in [0, 1]
 /// How much the curve itself bends, not the surface: times a length that its maker says.
 inline constexpr const char* CurveCurvature = "CurveCurvature"; // points, 1, no unit
+/// The cosine of the angle between the surface's normal and the light.
+inline constexpr const char* Shade = "Shade"; // points, 1, in [-1, 1]
 /// By how many surfaces a part of a stroke is hidden: 0 where it is visible.
 inline constexpr const char* HidingLayers = "HidingLayers"; // cells, 1
 }

@@ -77,6 +77,15 @@ Eigen::Vector3d StrokeMeasure::GetPlace(const Vector3& point) const
 }
 
 //------------------------------------------------------------------------------
+double StrokeMeasure::GetCosine(
+  const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) const
+{
+  const Eigen::Vector3d seen = this->FromView.transpose() * normal;
+  const double length = seen.norm();
+  return length > 0.0 && std::isfinite(length) ? seen.dot(direction) / length : 0.0;
+}
+
+//------------------------------------------------------------------------------
 Vector3 StrokeMeasure::Move(const Vector3& point, const Eigen::Vector3d& by) const
 {
   Eigen::Vector3d moved = AsVector(point);

@@ -39,6 +39,10 @@ public:
 
   Eigen::Vector3d GetPlace(const Vector3& point) const;
 
+  /// The cosine of the angle between a normal of the model and a unit vector: on a page, in the
+  /// viewer's axes (right, up, towards him), else in the model's. 0 for a normal without length.
+  double GetCosine(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) const;
+
   /// The point whose place is so much farther; on the page at the same depth.
   Vector3 Move(const Vector3& point, const Eigen::Vector3d& by) const;
 

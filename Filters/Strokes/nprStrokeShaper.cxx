@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace npr
 {
@@ -18,6 +19,16 @@ constexpr double StepsOfTaper = 8.0;
 constexpr double StepsOfWave = 16.0;
 constexpr double MostSteps = 4096.0;        // of a segment
 constexpr double TangentOfOvershoot = 0.25; // the stretch, as a share of it, that it goes on from
+
+/// The sample at the end of the segment that holds a length, and where in that.
+template<typename Numbers>
+std::pair<std::size_t, double> FindSegment(const Numbers& lengths, double length)
+{
+  const auto next = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
+  const double step = *next - *(next - 1);
+  return { static_cast<std::size_t>(next - lengths.begin()),
+    step > 0.0 ? (length - *(next - 1)) / step : 0.0 };
+}
 
 /// The measured way along samples.
 class Path
@@ -40,10 +51,7 @@ public:
 
   Eigen::Vector3d GetPlace(double length) const
   {
-    const auto next = std::upper_bound(this->Lengths.begin() + 1, this->Lengths.end() - 1, length);
-    const std::size_t i = static_cast<std::size_t>(next - this->Lengths.begin());
-    const double step = this->Lengths[i] - this->Lengths[i - 1];
-    const double t = step > 0.0 ? (length - this->Lengths[i - 1]) / step : 0.0;
+    const auto [i, t] = FindSegment(this->Lengths, length);
     return this->Places[i - 1] + t * (this->Places[i] - this->Places[i - 1]);
   }
 
@@ -192,7 +200,7 @@ StrokeShape StrokeShape::For(double length) const
   StrokeShape shape = *this;
   if (this->RelativeToStroke)
   {
-    shape.CurvatureReach *= length;
+    shape.Reach *= length;
     shape.CurvatureUnit *= length;
     shape.TaperLength *= length;
     shape.OvershootLength *= length;
@@ -201,6 +209,40 @@ StrokeShape StrokeShape::For(double length) const
     shape.RelativeToStroke = false;
   }
   return shape;
+}
+
+//------------------------------------------------------------------------------
+void ShapedStrokes::Average(float* values) const
+{
+  std::size_t first = 0;
+  for (std::size_t stroke = 0; stroke < this->Sizes.size(); ++stroke)
+  {
+    const std::size_t size = static_cast<std::size_t>(this->Sizes[stroke]);
+    const std::vector<float> lengths(
+      this->Lengths.begin() + first, this->Lengths.begin() + first + size);
+    std::vector<double> sums{ 0.0 }; // over the way from the start
+    for (std::size_t i = 1; i < size; ++i)
+    {
+      const double step = static_cast<double>(lengths[i]) - lengths[i - 1];
+      sums.push_back(sums.back() + 0.5 * step * (values[first + i] + values[first + i - 1]));
+    }
+    const bool closed = this->Closed[stroke] != 0;
+    const double whole = lengths.back();
+    const auto sum = [&, &lengths = lengths](double length)
+    {
+      const double turns = closed ? std::floor(length / whole) : 0.0;
+      const auto [i, t] = FindSegment(lengths, length - turns * whole);
+      return turns * sums.back() + sums[i - 1] + t * (sums[i] - sums[i - 1]);
+    };
+    const double reach = this->Reaches[stroke];
+    for (std::size_t i = 0; reach > 0.0 && i < size; ++i)
+    {
+      const double begin = closed ? lengths[i] - reach : std::max(lengths[i] - reach, 0.0);
+      const double end = closed ? lengths[i] + reach : std::min(lengths[i] + reach, whole);
+      values[first + i] = static_cast<float>((sum(end) - sum(begin)) / (end - begin));
+    }
+    first += size;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -233,10 +275,11 @@ void ShapeStroke(const StrokeChain& chain, const StrokeMeasure& measure, const S
     };
     strokes.Tapers.push_back(
       static_cast<float>(rise(at, startTaper) * rise(length - at, endTaper)));
-    if (shape.CurvatureReach > 0.0)
+    strokes.Lengths.push_back(static_cast<float>(at));
+    if (shape.Curvatures)
     {
       strokes.Curvatures.push_back(
-        static_cast<float>(shape.CurvatureUnit * path.GetCurvature(at, shape.CurvatureReach)));
+        static_cast<float>(shape.CurvatureUnit * path.GetCurvature(at, shape.Reach)));
     }
     if (wave > 0.0)
     {
@@ -245,6 +288,8 @@ void ShapeStroke(const StrokeChain& chain, const StrokeMeasure& measure, const S
         measure.Move(samples[i].Position, { wobble.Get(at, 0), wobble.Get(at, 1), out });
     }
   }
+  strokes.Reaches.push_back(std::min(shape.Reach, 0.5 * length));
+  strokes.Closed.push_back(chain.Closed);
   samples.front().ArcLength = firstArcLength;
   MeasureArcLength(samples, 0);
   strokes.Samples.insert(strokes.Samples.end(), samples.begin(), samples.end());

@@ -15,7 +15,8 @@ namespace npr
 struct StrokeShape
 {
   bool RelativeToStroke = false; ///< lengths are shares of the stroke's, and so is CurvatureUnit
-  double CurvatureReach = 0.0;   ///< 0 where no curvatures are wanted
+  double Reach = 0.0;            ///< of curvatures and averages, to both sides
+  bool Curvatures = false;       ///< whether they are wanted
   double CurvatureUnit = 1.0;    ///< what they are multiplied by
   double TaperLength = 0.0;
   double OvershootLength = 0.0;
@@ -38,7 +39,14 @@ struct ShapedStrokes : SampledStrokes
 {
   // For each sample.
   std::vector<float> Tapers;     // 1, and towards a tapered end 0
+  std::vector<float> Lengths;    // measured from the start of the stroke
   std::vector<float> Curvatures; // empty where none are wanted
+  // For each stroke.
+  std::vector<double> Reaches;
+  std::vector<char> Closed;
+
+  /// Replaces a value of each sample by the average over the reach to both sides along the stroke.
+  void Average(float* values) const;
 };
 
 /// Appends one stroke, overshooting and wobbling, with as many points as its attributes need.

@@ -44,6 +44,40 @@ vtkSmartPointer<vtkFloatArray> AddArray(vtkPolyData* output, const char* name)
   return array;
 }
 
+/// Along each stroke.
+void Average(const std::vector<npr::ShapedStrokes>& strokes, vtkFloatArray* array)
+{
+  float* values = array->GetPointer(0);
+  for (const npr::ShapedStrokes& stroke : strokes)
+  {
+    stroke.Average(values);
+    values += stroke.Samples.size();
+  }
+}
+
+/// Nothing where there are no normals.
+void AddShade(vtkPolyData* output, const npr::StrokeMeasure& measure, const double light[3],
+  const std::vector<npr::ShapedStrokes>& strokes)
+{
+  vtkDataArray* normals = output->GetPointData()->GetArray(npr::names::Normals);
+  if (!normals || normals->GetNumberOfComponents() != 3)
+  {
+    return;
+  }
+  const Eigen::Vector3d direction = Eigen::Vector3d(light).stableNormalized();
+  vtkNew<vtkFloatArray> shade;
+  shade->SetName(npr::names::Shade);
+  shade->SetNumberOfValues(output->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < shade->GetNumberOfValues(); ++i)
+  {
+    Eigen::Vector3d normal;
+    normals->GetTuple(i, normal.data());
+    shade->SetValue(i, static_cast<float>(measure.GetCosine(normal, direction)));
+  }
+  Average(strokes, shade);
+  output->GetPointData()->AddArray(shade);
+}
+
 double GetValue(vtkDataArray* array, vtkIdType point)
 {
   const int components = array->GetNumberOfComponents();
@@ -186,10 +220,10 @@ vtkMTimeType vtkNPRStrokeAttributes::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-bool vtkNPRStrokeAttributes::UsesCurveCurvature() const
+bool vtkNPRStrokeAttributes::Uses(const char* array) const
 {
   return std::any_of(this->Terms.begin(), this->Terms.end(),
-    [](const Term& term) { return term.Array == npr::names::CurveCurvature; });
+    [array](const Term& term) { return term.Array == array; });
 }
 
 //------------------------------------------------------------------------------
@@ -204,9 +238,10 @@ bool vtkNPRStrokeAttributes::MultiplyTerm(const Term& term, vtkPolyData* output,
       const char* name = output->GetPointData()->GetArrayName(i);
       names += name ? (names.empty() ? "" : ", ") + std::string(name) : "";
     }
+    const bool isMade = term.Array == npr::names::Shade;
     vtkErrorMacro("the strokes have no point array '"
-      << term.Array << "' to take their " << (term.Attribute == WIDTH ? "width" : "opacity")
-      << " from; they have: " << names << ".");
+      << (isMade ? npr::names::Normals : term.Array.c_str()) << "' to take their "
+      << (term.Attribute == WIDTH ? "width" : "opacity") << " from; they have: " << names << ".");
     return false;
   }
   double range[2] = { term.From, term.To };
@@ -261,7 +296,8 @@ int vtkNPRStrokeAttributes::RequestData(
 
   npr::StrokeShape shape;
   shape.RelativeToStroke = this->LengthUnit == STROKE;
-  shape.CurvatureReach = this->UsesCurveCurvature() ? this->CurvatureReach : 0.0;
+  shape.Reach = this->Reach;
+  shape.Curvatures = this->Uses(npr::names::CurveCurvature);
   shape.TaperLength = this->TaperLength;
   shape.OvershootLength = this->OvershootLength;
   shape.WobbleAmplitude = this->WobbleAmplitude;
@@ -336,9 +372,14 @@ int vtkNPRStrokeAttributes::RequestData(
       curvatures->InsertNextValue(curvature);
     }
   }
-  if (this->UsesCurveCurvature())
+  if (this->Uses(npr::names::CurveCurvature))
   {
+    Average(strokes, curvatures);
     output->GetPointData()->AddArray(curvatures);
+  }
+  if (this->Uses(npr::names::Shade))
+  {
+    AddShade(output, measure, this->LightDirection, strokes);
   }
   for (const Term& term : this->Terms)
   {
@@ -369,7 +410,9 @@ void vtkNPRStrokeAttributes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Camera: " << this->Camera.Get() << "\n";
   os << indent << "Matrix: " << this->Matrix.Get() << "\n";
-  os << indent << "CurvatureReach: " << this->CurvatureReach << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "LightDirection: " << this->LightDirection[0] << " " << this->LightDirection[1]
+     << " " << this->LightDirection[2] << "\n";
   os << indent << "TaperLength: " << this->TaperLength << "\n";
   os << indent << "TaperedWidth: " << this->TaperedWidth << "\n";
   os << indent << "TaperedOpacity: " << this->TaperedOpacity << "\n";

@@ -18,8 +18,12 @@
  * - curvatures of the surface, or whatever else there is on the points;
  * - `CurveCurvature`, which this filter makes when a term asks for it: how much the curve itself
  *   bends, so that strokes are thicker where they do (Saito et al.). It is taken from the circle
- *   through three points of the curve that are CurvatureReach apart, times the unit of lengths, and
- *   so has no dimension.
+ *   through three points of the curve that are Reach apart, on the average over as far to both
+ *   sides, times the unit of lengths (of MODEL: times the field data LengthScale, else the
+ *   diagonal of the bounds), and so has no dimension;
+ * - `Shade`, which this filter makes from the array `Normals` and LightDirection when a term asks
+ *   for it: the cosine of the angle between both, averaged in the same way, so that strokes are
+ * thicker away from the light.
  *
  * Lengths (of tapers, overshoots, waves) are in the unit of LengthUnit: shares of each stroke's own
  * length, units of the model, or heights of the view, for which the filter needs a camera. Then
@@ -40,7 +44,10 @@
  *
  * @par Thanks:
  * Width by the bends of the curve and by the distance from its ends: S. Saito, A. Kani, Y. Chang,
- * M. Nakajima: Curvature-based stroke rendering, The Visual Computer 24, 2008.
+ * M. Nakajima: Curvature-based stroke rendering, The Visual Computer 24, 2008. Width by the light:
+ * after T. Goodwin, I. Vollick, A. Hertzmann: Isophote Distance: A Shading Approach to Artistic
+ * Stroke Thickness, 2007, but by the shade on the line itself, for lines do not carry the radial
+ * curvature that the distance to an isophote takes.
  *
  * @sa vtkNPRSplineStrokes vtkNPRStrokeMapper
  */
@@ -149,11 +156,20 @@ public:
 
   ///@{
   /**
-   * From how far towards both sides the bend of a curve is taken, in the unit of LengthUnit;
-   * what is smaller is no bend. Default: 0.02.
+   * From how far along the stroke to both sides `CurveCurvature` and `Shade` are taken, in the unit
+   * of LengthUnit: what is smaller is no bend and no shade. Default: 0.02.
    */
-  vtkSetClampMacro(CurvatureReach, double, 1e-6, VTK_FLOAT_MAX);
-  vtkGetMacro(CurvatureReach, double);
+  vtkSetClampMacro(Reach, double, 1e-6, VTK_FLOAT_MAX);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Towards the light, for `Shade`; in the model, or with the unit VIEW as the viewer sees it: to
+   * his right, upwards, towards him. Not zero. Default: (-0.5, 0.7, 0.5).
+   */
+  vtkSetVector3Macro(LightDirection, double);
+  vtkGetVector3Macro(LightDirection, double);
   ///@}
 
   ///@{
@@ -220,7 +236,8 @@ protected:
   double ConstantWidth = 1.0;
   double ConstantOpacity = 1.0;
   int LengthUnit = STROKE;
-  double CurvatureReach = 0.02;
+  double Reach = 0.02;
+  double LightDirection[3] = { -0.5, 0.7, 0.5 };
   double TaperLength = 0.0;
   double TaperedWidth = 0.0;
   double TaperedOpacity = 1.0;
@@ -244,7 +261,7 @@ private:
     int Shape = LINEAR;
   };
   Term* FindTerm(int term);
-  bool UsesCurveCurvature() const;
+  bool Uses(const char* array) const;
   bool MultiplyTerm(const Term& term, vtkPolyData* output, float* factors);
 
   std::vector<Term> Terms;

@@ -113,8 +113,9 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
   {
     if (!style.Lines[i].Optional)
     {
-      this->AllStrokes.emplace_back(
-        style.Lines[i], lines->GetNumberOfDefinitions(), this->Pipeline, actor->GetMatrix());
+      this->AllStrokes.emplace_back(style.Lines[i], lines->GetNumberOfDefinitions(),
+        style.Lights.empty() ? LightStyle() : style.Lights.front(), this->Pipeline,
+        actor->GetMatrix());
       LineStrokes& strokes = this->AllStrokes.back();
       strokes.GetMapper()->SetClippingPlanes(this->OriginalMapper->GetClippingPlanes());
       renderer->AddActor(strokes.GetActor());

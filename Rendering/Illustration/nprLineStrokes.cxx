@@ -11,10 +11,11 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkProperty.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace npr
 {
@@ -23,7 +24,7 @@ namespace
 constexpr double VisibilityRadius = 2.0; // pixels, of strokes that stay in their place
 
 vtkSmartPointer<vtkNPRStrokeAttributes> MakeAttributes(
-  const StrokeStyle& style, vtkMatrix4x4* matrix)
+  const StrokeStyle& style, const LightStyle& light, vtkMatrix4x4* matrix)
 {
   auto attributes = vtkSmartPointer<vtkNPRStrokeAttributes>::New();
   attributes->SetLengthUnitToView();
@@ -31,6 +32,10 @@ vtkSmartPointer<vtkNPRStrokeAttributes> MakeAttributes(
   attributes->SetTaperedWidth(style.TaperedWidth);
   attributes->SetTaperedOpacity(style.TaperedOpacity);
   attributes->SetSeed(style.Seed);
+  const double azimuth = vtkMath::RadiansFromDegrees(light.Azimuth);
+  const double elevation = vtkMath::RadiansFromDegrees(light.Elevation);
+  attributes->SetLightDirection(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+    std::cos(elevation) * std::cos(azimuth));
   const auto add = [&](int attribute, const std::vector<TermStyle>& terms)
   {
     for (const TermStyle& term : terms)
@@ -49,8 +54,8 @@ vtkSmartPointer<vtkNPRStrokeAttributes> MakeAttributes(
 }
 
 //------------------------------------------------------------------------------
-LineStrokes::LineStrokes(
-  const LineStyle& line, int index, SurfacePipeline& pipeline, vtkMatrix4x4* matrix)
+LineStrokes::LineStrokes(const LineStyle& line, int index, const LightStyle& light,
+  SurfacePipeline& pipeline, vtkMatrix4x4* matrix)
   : Style(line), Selection(vtkSmartPointer<vtkNPRLineSelection>::New()),
     Splines(vtkSmartPointer<vtkNPRSplineStrokes>::New()),
     Mapper(vtkSmartPointer<vtkNPRStrokeMapper>::New()), Actor(vtkSmartPointer<vtkActor>::New())
@@ -69,7 +74,7 @@ LineStrokes::LineStrokes(
   vtkAlgorithm* last = this->Splines;
   if (stroke.NeedsAttributes())
   {
-    this->Attributes = MakeAttributes(stroke, matrix);
+    this->Attributes = MakeAttributes(stroke, light, matrix);
     this->Attributes->SetInputConnection(this->Splines->GetOutputPort());
     last = this->Attributes;
   }
@@ -123,6 +128,7 @@ void LineStrokes::SetScale(
   {
     const double heights = scale.ViewHeightsPerUnit;
     this->Attributes->SetCamera(camera);
+    this->Attributes->SetReach(heights * stroke.BendReach);
     this->Attributes->SetTaperLength(heights * stroke.TaperLength);
     this->Attributes->SetOvershootLength(heights * stroke.Overshoot);
     this->Attributes->SetWobbleAmplitude(heights * stroke.Wobble);

@@ -30,7 +30,9 @@ class LineStrokes
 {
 public:
   /// @param index of the definition among those of the pipeline's feature lines
-  LineStrokes(const LineStyle& line, int index, SurfacePipeline& pipeline, vtkMatrix4x4* matrix);
+  /// @param light that strokes are thicker away from, if the style says so
+  LineStrokes(const LineStyle& line, int index, const LightStyle& light, SurfacePipeline& pipeline,
+    vtkMatrix4x4* matrix);
   LineStrokes(LineStrokes&&);
   ~LineStrokes();
 

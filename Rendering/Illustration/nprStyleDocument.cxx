@@ -88,6 +88,7 @@ void ReadStrokeStyle(StyleSection& section, StrokeStyle& stroke)
   section.Read("overshoot", stroke.Overshoot, 0.0, 1000.0);
   section.Read("wobble", stroke.Wobble, 0.0, 100.0);
   section.Read("wobble_length", stroke.WobbleLength, 1.0, 10000.0);
+  section.Read("bend_reach", stroke.BendReach, 0.1, 1000.0);
   section.Read("seed", stroke.Seed, 0, 1000000);
   stroke.WidthBy = ReadTerms(section, "width_by", 100.0, std::move(stroke.WidthBy));
   stroke.OpacityBy = ReadTerms(section, "opacity_by", 1.0, std::move(stroke.OpacityBy));
@@ -182,7 +183,7 @@ Color ParseColor(const std::string& text)
 const std::vector<std::string>& TermStyle::GetArrays()
 {
   static const std::vector<std::string> arrays{ names::Strength, names::ViewDistance,
-    names::ArcLength, names::CurveCurvature };
+    names::ArcLength, names::CurveCurvature, names::Shade };
   return arrays;
 }
 

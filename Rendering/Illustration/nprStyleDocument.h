@@ -63,6 +63,7 @@ struct StrokeStyle
   double Overshoot = 0.0;
   double Wobble = 0.0;
   double WobbleLength = 60.0;
+  double BendReach = 20.0; ///< what bends within less is no bend, and so for shade
   int Seed = 0;
   std::vector<TermStyle> WidthBy;
   std::vector<TermStyle> OpacityBy;

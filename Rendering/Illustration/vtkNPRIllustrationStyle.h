@@ -4,9 +4,9 @@
  * @class vtkNPRIllustrationStyle
  * @brief How an illustration looks: shading, lights, lines and paper, read from a JSON document.
  *
- * A style is a small JSON file; the built-in ones ("technical", "toon", "ink", "plain") are such
- * files too, and the command, Python and C++ read the same. A document that is not valid is
- * refused as a whole, with a message that names the key.
+ * A style is a small JSON file; the built-in ones ("technical", "toon", "ink", "pencil", "brush",
+ * "plain") are such files too, and the command, Python and C++ read the same. A document that is
+ * not valid is refused as a whole, with a message that names the key.
  *
  * @code
  * vtkNew<vtkNPRIllustrationStyle> style;

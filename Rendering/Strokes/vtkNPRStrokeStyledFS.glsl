@@ -43,15 +43,17 @@ float endCoverage(vec2 place, vec2 next, float radius, vec2 outwards)
   {
     return strip;
   }
+  // Where the neighbour is, it covers what it covers: there is no edge between them.
+  if (dot(place, next) > 0.01)
+  {
+    return 0.0;
+  }
   vec2 nextOutwards = next.x * outwards + next.y * left;
   float nextAcross = next.x * place.y - next.y * place.x;
   float cosineOfHalf = sqrt(max(0.5 + 0.5 * next.x, 0.0));
   if (next.x > CosineOfCorner || (nprJoin == 2 && cosineOfHalf * nprMitreLimit >= 1.0))
   {
-    // Up to where the neighbour begins, without an edge between them.
-    return dot(place, next) > 0.01
-      ? 0.0
-      : min(strip, stripCoverage(nextAcross, radius, vec2(-nextOutwards.y, nextOutwards.x)));
+    return min(strip, stripCoverage(nextAcross, radius, vec2(-nextOutwards.y, nextOutwards.x)));
   }
   float distance = length(place);
   vec2 away = distance > 1e-3 ? place / distance : vec2(0.0, 1.0);
@@ -120,14 +122,16 @@ float noise(vec2 x, uint seed)
 }
 
 // The height of the paper's tooth, about evenly spread over [0, 1]. Octaves are turned against each
-// other, so that the lattice is not seen.
+// other, so that the lattice is not seen; those too fine for pixels are left out.
 float tooth(vec2 pixel)
 {
-  vec2 x = pixel / max(nprGrainSize, 0.1);
-  float height = 0.5 * noise(x, 11u) +
-    0.3 * noise(mat2(1.6, 1.2, -1.2, 1.6) * x, 12u) +
-    0.2 * noise(mat2(1.7, -3.3, 3.3, 1.7) * x, 13u);
-  return smoothstep(0.2, 0.8, height);
+  vec2 x = pixel / nprGrainSize;
+  vec3 weights =
+    vec3(0.5, 0.3, 0.2) * vec3(1.0, smoothstep(0.5, 1.5, nprGrainSize * vec2(0.5, 0.27)));
+  float height = weights.x * noise(x, 11u) +
+    weights.y * noise(mat2(1.6, 1.2, -1.2, 1.6) * x, 12u) +
+    weights.z * noise(mat2(1.7, -3.3, 3.3, 1.7) * x, 13u);
+  return smoothstep(0.2, 0.8, height / dot(weights, vec3(1.0)));
 }
 
 // What a tool that is pressed so hard leaves on the paper. `place`: along the stroke in pixels, and
@@ -135,15 +139,15 @@ float tooth(vec2 pixel)
 float deposit(vec2 place, float radius, float pressure)
 {
   uint seed = hash(uint(nprStrokeVSOut) + hash(uint(nprSeed)));
-  float size = max(nprGrainSize, 0.1);
+  float size = nprGrainSize;
   float edge = min(abs(place.y), 1.0);
   float softness = 0.25; // of the edges of what the tooth of the paper takes
   if (nprMedium == 1)
   {
     // The hand presses unevenly, and a round point least at its edges.
-    pressure *= 0.72 + 0.28 * noise(vec2(place.x / (22.0 * size), 0.5), seed);
-    pressure *= 1.0 - 0.5 * edge * edge;
-    softness = 0.45;
+    pressure *= 0.8 + 0.2 * noise(vec2(place.x / (22.0 * size), 0.5), seed);
+    pressure *= 1.0 - 0.4 * edge * edge;
+    softness = 0.6;
   }
   else if (nprMedium == 2)
   {
@@ -153,12 +157,15 @@ float deposit(vec2 place, float radius, float pressure)
   }
   else if (nprMedium == 3)
   {
-    // Bristles, which part where the brush runs dry; a thin stroke shows none.
-    float bristles = 0.6 * noise(vec2(place.x / (40.0 * size), 3.5 + 3.5 * place.y), seed) +
-      0.4 * noise(vec2(place.x / (24.0 * size), 9.0 + 8.0 * place.y), seed + 1u);
-    float dry = smoothstep(0.45, 0.95, noise(vec2(place.x / (60.0 * size), 0.5), seed + 2u)) *
-      smoothstep(1.5, 4.0, radius);
-    pressure *= 1.0 - 0.9 * dry * smoothstep(0.42, 0.62, bristles);
+    // Bristles, which part where the brush runs dry; a thin stroke shows none, or only coarse ones.
+    float fine = 0.3 * smoothstep(5.0, 12.0, radius);
+    float bristles = (1.0 - fine) * noise(vec2(place.x / (70.0 * size), 4.0 + 2.5 * place.y), seed) +
+      fine * noise(vec2(place.x / (30.0 * size), 9.0 + 6.0 * place.y), seed + 1u);
+    float dry = smoothstep(0.55, 0.9, noise(vec2(place.x / (60.0 * size), 0.5), seed + 2u)) *
+      smoothstep(2.0, 5.0, radius);
+    float gap = 1.1 - 0.55 * dry;
+    float blur = 0.02 + 0.9 / max(radius, 1.0); // over a pixel
+    pressure *= 1.0 - smoothstep(gap - blur, gap + blur, bristles);
   }
   float limit = 1.0 - pressure;
   float taken =

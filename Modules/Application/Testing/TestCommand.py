@@ -73,7 +73,7 @@ def edge_of(segment, corners):
     return None
 
 
-STYLES = ("technical", "toon", "ink", "plain")
+STYLES = ("technical", "toon", "ink", "pencil", "brush", "plain")
 
 
 class TestCommand(CommandTest):

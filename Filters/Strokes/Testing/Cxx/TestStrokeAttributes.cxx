@@ -280,7 +280,7 @@ void TestCurvature()
   filter->SetLengthUnitToModel();
   vtkSmartPointer<vtkPolyData> circle = MakeLines({ Circle(1600, 2.5) });
   npr::SetLengthScale(circle, 10);
-  filter->SetCurvatureReach(0.3);
+  filter->SetReach(0.3);
   expect(circle, 4, "a circle in a model of size 10");
 
   vtkNew<vtkCamera> camera;
@@ -289,7 +289,7 @@ void TestCurvature()
   camera->SetFocalPoint(0, 0, 0);
   filter->SetLengthUnitToView();
   filter->SetCamera(camera);
-  filter->SetCurvatureReach(0.02);
+  filter->SetReach(0.02);
   const double height = 2 * 48 * std::tan(vtkMath::RadiansFromDegrees(15.0));
   expect(MakeLines({ Circle(1600, 2.5, 2) }), height / 2.5, "a circle on the page");
   vtkNew<vtkMatrix4x4> matrix;
@@ -300,6 +300,59 @@ void TestCurvature()
   const vtkMTimeType before = filter->GetMTime();
   camera->Azimuth(10);
   Check(filter->GetMTime() > before, "it follows the camera");
+}
+
+// The cosine of the angle between normal and light, in the model's or the viewer's axes.
+void TestShade()
+{
+  vtkSmartPointer<vtkPolyData> data = MakeLines({ Circle(720, 2) });
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName(npr::names::Normals);
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const npr::Vector3 p = GetPoint(data, i);
+    normals->InsertNextTuple3(0.5 * p[0], 0.5 * p[1], 0);
+  }
+  data->GetPointData()->AddArray(normals);
+  vtkNew<vtkNPRStrokeAttributes> filter;
+  filter->AddTerm(vtkNPRStrokeAttributes::WIDTH, npr::names::Shade);
+  filter->SetTermRange(0, -1, 1);
+  filter->SetTermFactors(0, 2, 0);
+  filter->SetReach(1e-4);
+  filter->SetLightDirection(0, 3, 0);
+  const auto expect = [&](int axis, double sign, const char* what)
+  {
+    vtkPolyData* output = Run(filter, data);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double cosine = sign * GetPoint(data, i)[axis] / 2;
+      Expect(Get(output, npr::names::Shade, i), cosine, 1e-3, what);
+      Expect(Get(output, npr::names::Width, i), 1 - cosine, 1e-3, std::string("width by ") + what);
+    }
+  };
+  expect(1, 1, "light from above");
+  vtkNew<vtkCamera> camera; // on its side: up is -x
+  camera->SetPosition(0, 0, 50);
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetViewUp(-1, 0, 0);
+  filter->SetCamera(camera);
+  filter->SetLengthUnitToView();
+  expect(0, -1, "light from above, as seen");
+  vtkNew<vtkMatrix4x4> matrix; // mirrored
+  matrix->SetElement(0, 0, -2);
+  filter->SetMatrix(matrix);
+  vtkPolyData* output = Run(filter, data);
+  Expect(Get(output, npr::names::Shade, 0), 1, 1e-3, "a mirrored model");
+  // Averages along the stroke: details vanish.
+  filter->SetMatrix(nullptr);
+  filter->SetLengthUnitToStroke();
+  filter->SetReach(0.5);
+  output = Run(filter, data);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    Expect(Get(output, npr::names::Shade, i), 0, 1e-3, "averaged over all of a loop");
+  }
 }
 
 void TestTerms()
@@ -542,7 +595,11 @@ void TestBadInput()
   Run(filter, data);
   expectError("'Heat' to take their opacity from; they have: Hoot");
   Check(filter->GetOutput()->GetNumberOfPoints() == 0, "nothing half done");
-  filter->SetTermFactors(1, 0.5, 2);
+  filter->RemoveAllTerms();
+  filter->AddTerm(vtkNPRStrokeAttributes::OPACITY, npr::names::Shade);
+  Run(filter, data);
+  expectError("'Normals' to take their opacity from");
+  filter->SetTermFactors(0, 0.5, 2);
   expectError("from 0 to 1");
   filter->SetTermRange(9, 0, 1);
   expectError("no term 9");
@@ -559,6 +616,7 @@ int TestStrokeAttributes(int, char*[])
   TestTaper();
   TestClosed();
   TestCurvature();
+  TestShade();
   TestTerms();
   TestOvershoot();
   TestWobble();

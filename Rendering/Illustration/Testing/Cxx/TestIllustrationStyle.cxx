@@ -140,6 +140,43 @@ void CheckDefinedLines()
   Check(names() == "slices ", "drawn, not " + names());
   vtkNPRLineDefinition::RemoveKind("slices");
 }
+
+// What strokes say reaches the picture, for all lines or for one.
+void CheckStrokes()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  npr::TestScene scene(sphere->GetOutputPort());
+  scene.Renderer->ResetCamera();
+  const auto count = [&](const std::string& keys, const std::string& common)
+  {
+    const bool loaded = scene.Style->LoadString(R"({"shading": {"style": "paper"}, "strokes": {)" +
+      common + R"(}, "lines": [{"type": "contours", "width": 20)" + keys + "}]}");
+    Check(loaded, "strokes: " + keys + " " + common);
+    scene.Illustration->Apply();
+    return npr::CountDarkPixels(scene.Render(), 128);
+  };
+  const int all = count("", "");
+  Check(all > 1000, "a thick outline");
+  const auto isHalf = [all](int pixels) { return std::abs(2 * pixels - all) < 0.1 * all; };
+  Check(isHalf(count(R"(, "dashes": [30, 30], "cap": "butt")", "")), "dashes of a line");
+  Check(isHalf(count("", R"("dashes": [30, 30], "cap": "butt")")), "dashes of all lines");
+  Check(std::abs(count(R"(, "dashes": [0, 0])", R"("dashes": [30, 30], "cap": "butt")") - all) <
+      0.02 * all,
+    "a line's own word is the last");
+  Check(isHalf(
+          count("", R"("width_by": [{"by": "Strength", "range": [0, 0.5], "factors": [1, 0.5]}])")),
+    "widths by an array");
+  // The light comes from above on the left, and so the outline is thicker below on the right.
+  const int shaded = count("",
+    R"("width_by": [{"by": "Shade", "range": [-0.2, 0.2], "factors": [1, 0], "smooth": true}])");
+  Check(isHalf(shaded),
+    "widths by the light: " + std::to_string(shaded) + " of " + std::to_string(all));
+  Check(count("", R"("medium": "pencil", "grain": 1, "grain_size": 3)") < 0.97 * all, "a medium");
+  Check(count("", R"("wobble": 3, "wobble_length": 50, "seed": 3)") > 0.8 * all, "a wobble");
+}
+
 }
 
 int TestIllustrationStyle(int, char*[])
@@ -167,6 +204,7 @@ int TestIllustrationStyle(int, char*[])
     "texts, lists and vectors as parameters of lines");
   CheckLineParameters();
   CheckDefinedLines();
+  CheckStrokes();
 
   CheckRefused("", "line 1, column 1");
   CheckRefused("{\n\"name\": 1,\n]", "line 3, column 1");
@@ -220,5 +258,24 @@ int TestIllustrationStyle(int, char*[])
     "/lines/0/direction must be a list of 3 numbers");
   CheckRefused(
     R"({"lines": [{"type": "creases", "angel": "red"}]})", "/lines/0/angel is not known");
+  CheckRefused(R"({"strokes": 1})", "/strokes must be an object");
+  CheckRefused(R"({"strokes": {"width": 2}})", "/strokes/width is not known");
+  CheckRefused(R"({"strokes": {"cap": "square"}})", "/strokes/cap must be \"round\" or \"butt\"");
+  CheckRefused(R"({"strokes": {"join": 2}})", "/strokes/join");
+  CheckRefused(R"({"strokes": {"mitre_limit": 0}})", "/strokes/mitre_limit");
+  CheckRefused(R"({"strokes": {"dashes": 3}})", "/strokes/dashes must be a list of two numbers");
+  CheckRefused(R"({"strokes": {"dashes": [3, -1]}})", "/strokes/dashes");
+  CheckRefused(R"({"strokes": {"medium": "oil"}})", "\"charcoal\" or \"brush\"");
+  CheckRefused(R"({"strokes": {"grain": 2}})", "/strokes/grain");
+  CheckRefused(R"({"strokes": {"wobble": "much"}})", "/strokes/wobble");
+  CheckRefused(R"({"strokes": {"width_by": {"by": "Shade"}}})", "/strokes/width_by must be a list");
+  CheckRefused(R"({"strokes": {"width_by": [{"factors": [1, 2]}]}})", "/width_by/0/by is missing");
+  CheckRefused(R"({"strokes": {"width_by": [{"by": "Heat"}]}})", "/strokes/width_by/0/by must be");
+  CheckRefused(R"({"strokes": {"opacity_by": [{"by": "Strength", "factors": [0, 2]}]}})",
+    "/strokes/opacity_by/0/factors");
+  CheckRefused(R"({"strokes": {"opacity_by": [{"by": "Strength", "from": 2}]}})",
+    "/strokes/opacity_by/0/from is not known");
+  CheckRefused(R"({"lines": [{"type": "contours", "taper_length": -1}]})", "/lines/0/taper_length");
+  CheckRefused(R"({"lines": [{"type": "contours", "overshoot": []}]})", "/lines/0/overshoot");
   return Good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
