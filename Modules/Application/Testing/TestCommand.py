@@ -84,7 +84,7 @@ class TestCommand(CommandTest):
                 self.assertEqual(result.stderr, "", "nothing is said when stderr is no terminal")
                 width, height, channels, rows = read_png(self.image)
                 self.assertEqual((width, height, channels), (160, 120, 3))
-                self.assertEqual(bytes(rows[0][:3]), b"\xff\xff\xff", "white paper")
+                self.assertGreaterEqual(min(rows[0][:3]), 0xF0, "white paper")
                 self.assertTrue(any(min(row) < 200 for row in rows), "something is drawn")
                 os.remove(self.image)
 
