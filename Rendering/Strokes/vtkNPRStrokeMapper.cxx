@@ -163,8 +163,8 @@ vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram()
   const bool styled = this->IsStyled();
   for (std::string* shader : { &vertex, &fragment })
   {
-    vtkShaderProgram::Substitute(
-      *shader, "//NPR::Variant::Dec", styled ? "#define NPR_STYLED" : "");
+    vtkShaderProgram::Substitute(*shader, "//NPR::Variant::Dec",
+      styled ? "#define NPR_STYLED\n#define NPR_COSINE_OF_CORNER 0.95" : "");
   }
   vtkShaderProgram::Substitute(fragment, "//NPR::Styled::Dec", styled ? vtkNPRStrokeStyledFS : "");
   vtkShaderProgram::Substitute(

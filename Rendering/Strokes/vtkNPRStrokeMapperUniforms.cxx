@@ -95,7 +95,7 @@ void vtkNPRStrokeMapper::SetStyleUniforms(
   const double reach = this->Join == MITRE_JOIN
     ? std::sqrt(std::max(this->MitreLimit * this->MitreLimit - 1.0, 0.0))
     : 0.0;
-  program->SetUniformf("nprMitreReach", static_cast<float>(std::max(reach - 1.0, 0.0)));
+  program->SetUniformf("nprMitreReach", static_cast<float>(std::max(reach, 1.0)));
   const auto setDashes = [program](const char* name, const double dashes[2])
   {
     const float values[2] = { static_cast<float>(std::max(dashes[0], 0.0)),

@@ -3,7 +3,7 @@
 //
 // What strokes have beyond round joins and caps: other joins and caps, dashes, and media on paper.
 // A segment then ends where its neighbour begins, so that each pixel has one place along and across
-// the stroke.
+// the stroke. Neighbours whose turn has a cosine above NPR_COSINE_OF_CORNER are always mitred.
 
 flat in vec4 nprNeighboursVSOut;
 flat in vec4 nprLengthsVSOut;
@@ -19,8 +19,6 @@ uniform float nprPaperGrain; // how much of the paper's tooth stays white, 0 to 
 uniform float nprGrainSize;  // pixels
 uniform vec2 nprPageOrigin;  // of the viewport on the page, pixels
 uniform int nprSeed;
-
-const float CosineOfCorner = 0.95; // neighbours that turn by less are always mitred
 
 // The share of the pixel that belongs to this segment at one of its ends. `place` is beyond the end
 // and to the left of that, as is the direction into the neighbour.
@@ -51,7 +49,7 @@ float endCoverage(vec2 place, vec2 next, float radius, vec2 outwards)
   vec2 nextOutwards = next.x * outwards + next.y * left;
   float nextAcross = next.x * place.y - next.y * place.x;
   float cosineOfHalf = sqrt(max(0.5 + 0.5 * next.x, 0.0));
-  if (next.x > CosineOfCorner || (nprJoin == 2 && cosineOfHalf * nprMitreLimit >= 1.0))
+  if (next.x > NPR_COSINE_OF_CORNER || (nprJoin == 2 && cosineOfHalf * nprMitreLimit >= 1.0))
   {
     return min(strip, stripCoverage(nextAcross, radius, vec2(-nextOutwards.y, nextOutwards.x)));
   }

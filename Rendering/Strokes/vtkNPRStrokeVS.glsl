@@ -28,17 +28,18 @@ uniform float nprMinimumWidthFactor;   // of the width at strength 0
 uniform float nprMinimumOpacityFactor; // of the opacity at strength 0
 uniform float nprGuard;                // pixels around the viewport that ink may come from
 
-flat out vec4 nprAxisVSOut;  // the first end, pixels; the unit direction to the other
-flat out float nprSizeVSOut; // distance of the ends, pixels
-flat out vec2 nprDepthVSOut; // both ends, normalised device coordinates
-flat out vec4 nprInkVSOut;   // both ends: radius in pixels, opacity
+flat out vec4 nprAxisVSOut;    // the first end, pixels; the unit direction to the other
+flat out float nprSizeVSOut;   // distance of the ends, pixels
+flat out vec2 nprDepthVSOut;   // both ends, normalised device coordinates
+flat out vec4 nprInkVSOut;     // both ends: radius in pixels, opacity
 flat out float nprHiddenVSOut; // 1 where HidingLayers says so
-out vec2 nprPlaceVSOut;      // from the first end along and across the axis, pixels
+out vec2 nprPlaceVSOut;        // from the first end along and across the axis, pixels
 
 #ifdef NPR_STYLED
 uniform samplerBuffer nprPageLengths; // of the points along their strokes, pixels
-uniform float nprDashScale; // from arc lengths to the unit of dashes; 0 where that is a pixel
-uniform float nprMitreReach; // how far a mitre goes beyond its point at most, half widths
+uniform float nprDashScale;  // from arc lengths to the unit of dashes; 0 where that is a pixel
+uniform int nprCap;          // 1: strokes end straight
+uniform float nprMitreReach; // how far a corner goes beyond its point at most, half widths
 
 flat out vec4 nprNeighboursVSOut; // directions into the segments before and after, out of this one
                                   // and to the left of that; 0 where the stroke ends
@@ -53,6 +54,16 @@ vec2 neighbour(vec4 clip, vec2 from, vec2 axis)
   // Where it can not be seen, the stroke goes straight on.
   way = clip.w > 0.0 && size > 1e-3 ? way / size : axis;
   return vec2(dot(way, axis), axis.x * way.y - axis.y * way.x);
+}
+
+// How far beyond its end a segment has ink, pixels, by the direction into its neighbour.
+float reachBeyond(vec2 next, float radius)
+{
+  if (next == vec2(0.0))
+  {
+    return 0.71 + (nprCap == 1 ? 0.0 : radius);
+  }
+  return next.x > NPR_COSINE_OF_CORNER ? 1.0 + 0.2 * radius : 0.71 + nprMitreReach * radius;
 }
 #endif
 
@@ -163,7 +174,8 @@ void main()
     vec4 after = nprMCDCMatrix * vec4(texelFetch(nprRecords, 2 * segment + 4).xyz, 1.0);
     nprNeighboursVSOut.zw = neighbour(after, pixelB, axis);
   }
-  beyond += 1.0 + vec2(inkA.x, inkB.x) * nprMitreReach;
+  beyond = vec2(
+    reachBeyond(nprNeighboursVSOut.xy, inkA.x), reachBeyond(nprNeighboursVSOut.zw, inkB.x));
   vec2 pageLengths = vec2(
     texelFetch(nprPageLengths, segment).r, texelFetch(nprPageLengths, segment + 1).r);
   pageLengths = mix(pageLengths.xx, pageLengths.yy, range);
