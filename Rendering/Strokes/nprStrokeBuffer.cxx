@@ -16,6 +16,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -200,6 +201,31 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes)
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> OrderColors(
+  const StrokeRecords& records, vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells)
+{
+  std::vector<unsigned char> ordered(4 * records.Records.size());
+  const vtkIdType firstLine = strokes->GetNumberOfVerts();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(records.Begins.size()) - 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType line = begin; line < end; ++line)
+      {
+        strokes->GetLines()->GetCellAtId(line, ids);
+        const vtkIdType size = ids->GetNumberOfIds();
+        const std::ptrdiff_t extra = records.Begins[line + 1] - records.Begins[line] - size;
+        unsigned char* to = ordered.data() + 4 * (records.Begins[line] + extra / 2);
+        for (vtkIdType i = 0; i < size; ++i, to += 4)
+        {
+          colors->GetTypedTuple(ofCells ? firstLine + line : ids->GetId(i), to);
+        }
+      }
+    });
+  return ordered;
 }
 
 //------------------------------------------------------------------------------

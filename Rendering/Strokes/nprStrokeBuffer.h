@@ -12,6 +12,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkMatrix4x4;
 class vtkPolyData;
+class vtkUnsignedCharArray;
 VTK_ABI_NAMESPACE_END
 
 namespace npr
@@ -52,6 +53,10 @@ struct StrokeRecords
 /// Lays the lines of strokes out one after another; closed ones with the neighbours of their seam
 /// before and after them. Segments with a point that is not finite are left out.
 StrokeRecords MakeStrokeRecords(vtkPolyData* strokes);
+
+/// The colours of the records, four numbers each, from those of points or of cells.
+std::vector<unsigned char> OrderColors(
+  const StrokeRecords& records, vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells);
 
 /**
  * How far along its stroke each record is in the picture, in pixels.

@@ -51,6 +51,8 @@ void StrokeGraphics::Release()
   this->BufferTexture->ReleaseGraphicsResources(this->Window);
   this->Lengths->ReleaseGraphicsResources();
   this->LengthsTexture->ReleaseGraphicsResources(this->Window);
+  this->Colors->ReleaseGraphicsResources();
+  this->ColorsTexture->ReleaseGraphicsResources(this->Window);
   this->NumberOfSegments = 0;
   this->UploadTime = vtkTimeStamp();
   this->Window->PopContext();
@@ -81,6 +83,22 @@ void StrokeGraphics::Upload(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
+void StrokeGraphics::UploadColors(vtkUnsignedCharArray* colors, bool ofCells)
+{
+  this->Colored = colors != nullptr && this->NumberOfSegments > 0;
+  if (!this->Colored)
+  {
+    return;
+  }
+  const std::vector<unsigned char> ordered =
+    OrderColors(this->Records, this->UploadedInput, colors, ofCells);
+  this->Colors->Upload(ordered, vtkOpenGLBufferObject::TextureBuffer);
+  this->ColorsTexture->SetContext(this->Window);
+  this->ColorsTexture->CreateTextureBuffer(
+    static_cast<unsigned int>(ordered.size() / 4), 4, VTK_UNSIGNED_CHAR, this->Colors);
+}
+
+//------------------------------------------------------------------------------
 void StrokeGraphics::UploadPageLengths(vtkMatrix4x4* toDevice, const float viewportSize[2])
 {
   const std::vector<float> lengths = MeasurePageLengths(this->Records, toDevice, viewportSize);
@@ -106,6 +124,10 @@ void StrokeGraphics::Draw(vtkShaderProgram* program, bool depthTest, bool pageLe
   {
     bind("nprPageLengths", this->LengthsTexture);
   }
+  if (this->Colored)
+  {
+    bind("nprColors", this->ColorsTexture);
+  }
   program->SetUniformi("nprDepthTest", depthTest);
   if (depthTest)
   {
@@ -122,6 +144,10 @@ void StrokeGraphics::Draw(vtkShaderProgram* program, bool depthTest, bool pageLe
   if (pageLengths)
   {
     this->LengthsTexture->Deactivate();
+  }
+  if (this->Colored)
+  {
+    this->ColorsTexture->Deactivate();
   }
   if (depthTest)
   {

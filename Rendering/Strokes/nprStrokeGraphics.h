@@ -24,6 +24,7 @@ class vtkOpenGLVertexArrayObject;
 class vtkPolyData;
 class vtkShaderProgram;
 class vtkTextureObject;
+class vtkUnsignedCharArray;
 VTK_ABI_NAMESPACE_END
 
 namespace npr
@@ -49,6 +50,10 @@ public:
 
   /// Brings the records up to date with the input.
   void Upload(vtkPolyData* input);
+  /// Brings the colours up to date; null for none. They are four numbers for each point, or for
+  /// each cell.
+  void UploadColors(vtkUnsignedCharArray* colors, bool ofCells);
+  bool HasColors() const { return this->Colored; }
   /// Measures how long strokes are on the page in this view.
   void UploadPageLengths(vtkMatrix4x4* toDevice, const float viewportSize[2]);
 
@@ -69,6 +74,9 @@ private:
   vtkNew<vtkTextureObject> BufferTexture;
   vtkNew<vtkOpenGLBufferObject> Lengths;
   vtkNew<vtkTextureObject> LengthsTexture;
+  vtkNew<vtkOpenGLBufferObject> Colors;
+  vtkNew<vtkTextureObject> ColorsTexture;
+  bool Colored = false;
 
   StrokeRecords Records;
   std::ptrdiff_t NumberOfSegments = 0;

@@ -106,27 +106,52 @@ bool StrokeLayer::CaptureDepth(vtkOpenGLRenderWindow* window, const int viewport
   return true;
 }
 
-void StrokeLayer::BindInk(vtkOpenGLRenderWindow* window, int width, int height)
+void StrokeLayer::BindInk(vtkOpenGLRenderWindow* window, int width, int height, bool colored)
 {
+  if (this->Ink->GetHandle() != 0 && this->InkColored != colored)
+  {
+    this->InkFramebuffer->ReleaseGraphicsResources(window);
+    this->Ink->ReleaseGraphicsResources(window);
+    this->InkDepth->ReleaseGraphicsResources(window);
+  }
+  this->InkColored = colored;
   this->InkFramebuffer->SetContext(window);
   const bool fresh = this->Ink->GetHandle() == 0;
   if (fresh)
   {
     this->Ink->SetContext(window);
-    this->Ink->Allocate2D(width, height, 1, VTK_UNSIGNED_CHAR);
+    this->Ink->Allocate2D(width, height, colored ? 4 : 1, VTK_UNSIGNED_CHAR);
+    if (colored)
+    {
+      this->InkDepth->SetContext(window);
+      this->InkDepth->AllocateDepth(width, height, vtkTextureObject::Float32);
+    }
   }
   this->Ink->Resize(width, height);
+  if (colored)
+  {
+    this->InkDepth->Resize(width, height);
+  }
   this->InkFramebuffer->Bind();
   if (fresh)
   {
     this->InkFramebuffer->AddColorAttachment(0, this->Ink);
+    if (colored)
+    {
+      this->InkFramebuffer->AddDepthAttachment(this->InkDepth);
+    }
   }
   this->InkFramebuffer->ActivateDrawBuffer(0);
 
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   state->vtkglClearColor(0, 0, 0, 0);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  if (colored)
+  {
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClearDepth(1.0);
+  }
+  state->vtkglClear(GL_COLOR_BUFFER_BIT | (colored ? GL_DEPTH_BUFFER_BIT : 0));
 }
 
 void StrokeLayer::ReleaseGraphicsResources(vtkWindow* window)
@@ -135,5 +160,6 @@ void StrokeLayer::ReleaseGraphicsResources(vtkWindow* window)
   this->Depth->ReleaseGraphicsResources(window);
   this->InkFramebuffer->ReleaseGraphicsResources(window);
   this->Ink->ReleaseGraphicsResources(window);
+  this->InkDepth->ReleaseGraphicsResources(window);
 }
 }

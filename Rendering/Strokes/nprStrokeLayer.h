@@ -21,7 +21,8 @@ namespace npr
  * @brief The two pictures that strokes are drawn with: the depth of what is drawn so far, and the
  * ink.
  *
- * The ink has one channel, for all strokes of a mapper have one colour.
+ * The ink has one channel where all strokes have one colour, and the most of it stays. Where they
+ * have several it has four, and a depth, so that the colour of the most stays.
  */
 class StrokeLayer
 {
@@ -34,7 +35,7 @@ public:
   bool CaptureDepth(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
   /// Binds the ink as the framebuffer to draw into, empty, as large as the viewport.
-  void BindInk(vtkOpenGLRenderWindow* window, int width, int height);
+  void BindInk(vtkOpenGLRenderWindow* window, int width, int height, bool colored);
 
   vtkTextureObject* GetDepth() { return this->Depth; }
   vtkTextureObject* GetInk() { return this->Ink; }
@@ -46,7 +47,9 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
   unsigned int DepthFormat = 0;
   vtkNew<vtkTextureObject> Ink;
+  vtkNew<vtkTextureObject> InkDepth;
   vtkNew<vtkOpenGLFramebufferObject> InkFramebuffer;
+  bool InkColored = false;
 };
 }
 

@@ -9,13 +9,16 @@
 in vec2 texCoord;
 
 uniform sampler2D nprInkTexture;
+uniform int nprColored; // whether the ink has colours of its own
 uniform vec3 nprColor;
 uniform float nprOpacity;
 uniform int nprOrderIndependent; // whether VTK's order-independent translucent pass collects colour
 
 void main()
 {
-  float ink = nprOpacity * texture(nprInkTexture, texCoord).r;
+  vec4 layer = texture(nprInkTexture, texCoord);
+  float ink = nprOpacity * (nprColored != 0 ? layer.a : layer.r);
+  vec3 color = nprColored != 0 ? layer.rgb : nprColor;
   if (ink <= 0.0)
   {
     discard;
@@ -23,6 +26,6 @@ void main()
   // That pass takes the mean of all colours, weighted by their opacity: for a stroke over other
   // translucent things to come out as "over", its weight must grow as it covers them.
   float weight = nprOrderIndependent != 0 ? 1.0 / max(1.0 - ink, 1.0 / 1024.0) : 1.0;
-  gl_FragData[0] = vec4(weight * ink * nprColor, ink);
+  gl_FragData[0] = vec4(weight * ink * color, ink);
   gl_FragData[1] = vec4(weight * ink);
 }

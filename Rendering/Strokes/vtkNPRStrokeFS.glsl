@@ -15,6 +15,10 @@ flat in vec2 nprDepthVSOut;
 flat in vec4 nprInkVSOut;
 flat in float nprHiddenVSOut;
 in vec2 nprPlaceVSOut;
+#ifdef NPR_COLORED
+flat in vec4 nprStartColorVSOut;
+flat in vec4 nprEndColorVSOut;
+#endif
 
 uniform int nprDepthTest;
 uniform sampler2D nprDepthTexture;
@@ -136,5 +140,13 @@ void main()
   }
   float shown = mix(nprHiddenOpacity, 1.0, visible);
 //NPR::Styled::Impl
-  gl_FragData[0] = vec4(coverage * opacity * shown);
+  float ink = coverage * opacity * shown;
+#ifdef NPR_COLORED
+  // The colour of the most ink stays, by the depth test.
+  vec4 color = mix(nprStartColorVSOut, nprEndColorVSOut, t);
+  gl_FragData[0] = vec4(color.rgb, ink * color.a);
+  gl_FragDepth = 1.0 - ink * color.a;
+#else
+  gl_FragData[0] = vec4(ink);
+#endif
 }

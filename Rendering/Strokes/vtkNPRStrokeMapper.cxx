@@ -68,7 +68,10 @@ Translucency GetTranslucency(vtkActor* actor)
 
 vtkStandardNewMacro(vtkNPRStrokeMapper);
 
-vtkNPRStrokeMapper::vtkNPRStrokeMapper() : Graphics(new npr::StrokeGraphics) {}
+vtkNPRStrokeMapper::vtkNPRStrokeMapper() : Graphics(new npr::StrokeGraphics)
+{
+  this->ScalarVisibility = 0;
+}
 
 vtkNPRStrokeMapper::~vtkNPRStrokeMapper() = default;
 
@@ -122,6 +125,10 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
+  this->MapScalars(1.0);
+  const bool hasColors = this->Colors && this->Colors->GetNumberOfComponents() == 4;
+  const bool ofCells = hasColors && this->AreColorsOfCells();
+  this->Graphics->UploadColors(hasColors ? this->Colors : nullptr, ofCells);
   vtkShaderProgram* program = this->ReadyProgram();
   if (!program)
   {
@@ -149,6 +156,14 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateProgress(1.0);
 }
 
+bool vtkNPRStrokeMapper::AreColorsOfCells()
+{
+  int cellFlag = 0;
+  vtkAbstractMapper::GetScalars(this->GetInput(), this->ScalarMode, this->ArrayAccessMode,
+    this->ArrayId, this->ArrayName, cellFlag);
+  return cellFlag == 1;
+}
+
 bool vtkNPRStrokeMapper::IsStyled() const
 {
   return this->Cap != ROUND_CAP || this->Join != ROUND_JOIN || this->Medium != INK ||
@@ -161,10 +176,12 @@ vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram()
   std::string vertex = vtkNPRStrokeVS;
   std::string fragment = vtkNPRStrokeFS;
   const bool styled = this->IsStyled();
+  const std::string variant =
+    std::string(styled ? "#define NPR_STYLED\n#define NPR_COSINE_OF_CORNER 0.95\n" : "") +
+    (this->Graphics->HasColors() ? "#define NPR_COLORED\n" : "");
   for (std::string* shader : { &vertex, &fragment })
   {
-    vtkShaderProgram::Substitute(*shader, "//NPR::Variant::Dec",
-      styled ? "#define NPR_STYLED\n#define NPR_COSINE_OF_CORNER 0.95" : "");
+    vtkShaderProgram::Substitute(*shader, "//NPR::Variant::Dec", variant);
   }
   vtkShaderProgram::Substitute(fragment, "//NPR::Styled::Dec", styled ? vtkNPRStrokeStyledFS : "");
   vtkShaderProgram::Substitute(
@@ -191,15 +208,28 @@ void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShad
     const bool depthTest =
       this->DepthTest && graphics.Layer.CaptureDepth(graphics.GetWindow(), viewport);
     state->vtkglViewport(0, 0, viewport[2], viewport[3]);
-    graphics.Layer.BindInk(graphics.GetWindow(), viewport[2], viewport[3]);
+    vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
+    vtkOpenGLState::ScopedglDepthFunc savedDepthFunc(state);
+    const bool colored = graphics.HasColors();
+    graphics.Layer.BindInk(graphics.GetWindow(), viewport[2], viewport[3], colored);
     int equations[2];
     state->vtkglGetIntegerv(GL_BLEND_EQUATION_RGB, &equations[0]);
     state->vtkglGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equations[1]);
-    state->vtkglBlendEquation(GL_MAX);
-    state->vtkglBlendFunc(GL_ONE, GL_ONE);
+    if (colored)
+    {
+      state->vtkglEnable(GL_DEPTH_TEST);
+      state->vtkglDepthFunc(GL_LESS);
+      state->vtkglBlendFunc(GL_ONE, GL_ZERO);
+    }
+    else
+    {
+      state->vtkglBlendEquation(GL_MAX);
+      state->vtkglBlendFunc(GL_ONE, GL_ONE);
+    }
 
     this->SetUniforms(renderer, actor, program, viewport);
     graphics.Draw(program, depthTest, this->IsStyled());
+    state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglBlendEquationSeparate(equations[0], equations[1]);
   }
   state->PopFramebufferBindings();
@@ -235,6 +265,7 @@ void vtkNPRStrokeMapper::LayInkOver(vtkActor* actor, bool orderIndependent)
   }
   graphics.Layer.GetInk()->Activate();
   composite->SetUniformi("nprInkTexture", graphics.Layer.GetInk()->GetTextureUnit());
+  composite->SetUniformi("nprColored", graphics.HasColors());
   composite->SetUniform3f("nprColor", actor->GetProperty()->GetColor());
   composite->SetUniformf("nprOpacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
   composite->SetUniformi("nprOrderIndependent", orderIndependent);

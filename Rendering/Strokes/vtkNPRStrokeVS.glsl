@@ -35,6 +35,12 @@ flat out vec4 nprInkVSOut;     // both ends: radius in pixels, opacity
 flat out float nprHiddenVSOut; // 1 where HidingLayers says so
 out vec2 nprPlaceVSOut;        // from the first end along and across the axis, pixels
 
+#ifdef NPR_COLORED
+uniform samplerBuffer nprColors; // of the points
+flat out vec4 nprStartColorVSOut;
+flat out vec4 nprEndColorVSOut;
+#endif
+
 #ifdef NPR_STYLED
 uniform samplerBuffer nprPageLengths; // of the points along their strokes, pixels
 uniform float nprDashScale;  // from arc lengths to the unit of dashes; 0 where that is a pixel
@@ -129,6 +135,9 @@ void main()
   nprDepthVSOut = vec2(0.0);
   nprInkVSOut = vec4(0.0);
   nprHiddenVSOut = 0.0;
+#ifdef NPR_COLORED
+  nprStartColorVSOut = nprEndColorVSOut = vec4(0.0);
+#endif
 #ifdef NPR_STYLED
   nprNeighboursVSOut = vec4(0.0);
   nprLengthsVSOut = vec4(0.0);
@@ -182,6 +191,12 @@ void main()
   nprLengthsVSOut = vec4(pageLengths,
     nprDashScale > 0.0 ? nprDashScale * mix(startMore.zz, endMore.zz, range) : pageLengths);
   nprStrokeVSOut = startKind / StrokeNumber;
+#endif
+#ifdef NPR_COLORED
+  vec4 startColor = texelFetch(nprColors, segment);
+  vec4 endColor = texelFetch(nprColors, segment + 1);
+  nprStartColorVSOut = mix(startColor, endColor, range.x);
+  nprEndColorVSOut = mix(startColor, endColor, range.y);
 #endif
   nprHiddenVSOut = (startKind & Hidden) != 0 ? 1.0 : 0.0;
   vec2 side = vec2((corner & 1) == 0 ? -1.0 : 1.0, (corner & 2) == 0 ? -1.0 : 1.0);

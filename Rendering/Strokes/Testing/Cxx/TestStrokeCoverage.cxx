@@ -13,18 +13,13 @@
 #include <limits>
 
 using nprtest::Check;
+using nprtest::Expect;
 using nprtest::Line;
 using nprtest::MakeLines;
 using nprtest::Picture;
 
 namespace
 {
-void Expect(double value, double expected, double relative, const std::string& what)
-{
-  Check(std::abs(value - expected) <= relative * std::abs(expected),
-    what + ": " + std::to_string(value) + " instead of " + std::to_string(expected));
-}
-
 // Ink of a long line inside a slab across it, divided by the slab's length: its width.
 void TestWidths()
 {

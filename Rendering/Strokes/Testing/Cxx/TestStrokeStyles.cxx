@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Caps, joins, dashes, units and media of strokes, by the areas that geometry gives.
+// Caps, joins, dashes and units of strokes, by the areas that geometry gives.
 #include "nprStrokeTesting.h"
 #include "vtkNPROffscreen.h"
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkMath.h>
 #include <vtkPlaneSource.h>
@@ -18,46 +17,17 @@
 #include <cstdlib>
 
 using nprtest::Check;
+using nprtest::Expect;
+using nprtest::GetMapper;
 using nprtest::Line;
+using nprtest::MakeCircle;
 using nprtest::MakeLines;
+using nprtest::MakeStraight;
+using nprtest::Pi;
 using nprtest::Picture;
 
 namespace
 {
-const double Pi = vtkMath::Pi();
-
-void Expect(double value, double expected, double relative, const std::string& what)
-{
-  Check(std::abs(value - expected) <= relative * std::abs(expected),
-    what + ": " + std::to_string(value) + " instead of " + std::to_string(expected));
-}
-
-vtkNPRStrokeMapper* GetMapper(vtkActor* actor)
-{
-  return vtkNPRStrokeMapper::SafeDownCast(actor->GetMapper());
-}
-
-Line MakeCircle(int segments, double x, double y, double radius)
-{
-  Line circle;
-  for (int i = 0; i <= segments; ++i)
-  {
-    const double angle = 2 * Pi * (i % segments) / segments;
-    circle.push_back({ x + radius * std::cos(angle), y + radius * std::sin(angle), 0 });
-  }
-  return circle;
-}
-
-Line MakeStraight(double x0, double x1, double y, int segments)
-{
-  Line line;
-  for (int i = 0; i <= segments; ++i)
-  {
-    line.push_back({ x0 + (x1 - x0) * i / segments, y, 0 });
-  }
-  return line;
-}
-
 void TestCaps(int argc, char* argv[])
 {
   const double r = 12;
@@ -255,99 +225,6 @@ void TestWorldWidths()
   const double farther = 1.5;
   Expect(picture.GetInk(120, 50, 160, 150), 100 * 8 / farther, 0.01, "farther away");
 }
-
-void TestOpacities()
-{
-  vtkSmartPointer<vtkPolyData> line = MakeLines({ MakeStraight(20, 120, 30, 10) });
-  vtkNew<vtkFloatArray> opacity;
-  opacity->SetName("Opacity");
-  for (int i = 0; i <= 10; ++i)
-  {
-    opacity->InsertNextValue(0.4f);
-  }
-  line->GetPointData()->AddArray(opacity);
-  Picture picture(140, 60);
-  vtkSmartPointer<vtkActor> actor = picture.AddStrokes(line, 10);
-  const auto measure = [&]()
-  {
-    picture.Render();
-    return picture.GetInk(40, 0, 100, 60) / 600;
-  };
-  Expect(measure(), 0.4, 0.02, "an array of opacities");
-  GetMapper(actor)->SetCapToButt();
-  Expect(measure(), 0.4, 0.02, "with other caps");
-  GetMapper(actor)->SetPaperGrain(1);
-  Expect(measure(), 0.4, 0.25, "as a share of the paper's tooth");
-  GetMapper(actor)->UseOpacityArrayOff();
-  GetMapper(actor)->SetPaperGrain(0);
-  Expect(measure(), 1, 0.01, "switched off");
-}
-
-std::vector<unsigned char> GetReds(vtkRenderWindow* window, int scale)
-{
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->SetScale(scale);
-  grab->ReadFrontBufferOff();
-  grab->Update();
-  vtkImageData* image = grab->GetOutput();
-  const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
-  std::vector<unsigned char> reds;
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    reds.push_back(pixels[i * image->GetNumberOfScalarComponents()]);
-  }
-  return reds;
-}
-
-void TestMedia(int argc, char* argv[])
-{
-  const char* names[] = { "ink", "pencil", "charcoal", "brush" };
-  std::vector<unsigned char> last;
-  for (int medium = vtkNPRStrokeMapper::INK; medium <= vtkNPRStrokeMapper::BRUSH; ++medium)
-  {
-    const std::string name = names[medium];
-    const auto add = [&](Picture& picture)
-    {
-      vtkSmartPointer<vtkActor> actor = picture.AddStrokes(
-        MakeLines({ MakeCircle(300, 100, 100, 70), MakeStraight(20, 180, 90, 1) }), 9);
-      vtkNPRStrokeMapper* mapper = GetMapper(actor);
-      mapper->SetMedium(medium);
-      mapper->SetPaperGrain(0.8);
-      mapper->DepthTestOff();
-      return mapper;
-    };
-    Picture picture(200, 200);
-    vtkNPRStrokeMapper* mapper = add(picture);
-    picture.Render();
-    picture.Write(argc, argv, "StrokeMedium-" + name);
-    const double area = 9 * (2 * Pi * 70 + 160);
-    Check(picture.GetInk() > 0.35 * area && picture.GetInk() <= 1.02 * area, "enough ink: " + name);
-    const std::vector<unsigned char> one = GetReds(picture.Window, 1);
-    Check(one == GetReds(picture.Window, 1), "the same again: " + name);
-    Check(one != last, "as no other: " + name);
-    last = one;
-    if (medium != vtkNPRStrokeMapper::INK)
-    {
-      mapper->SetSeed(7);
-      Check(one != GetReds(picture.Window, 1), "another seed: " + name);
-    }
-    // A poster in four tiles is one page; strokes are as wide, and twice as long.
-    Picture tiles(100, 100);
-    add(tiles);
-    tiles.Renderer->GetActiveCamera()->SetParallelScale(100);
-    tiles.Renderer->GetActiveCamera()->SetFocalPoint(100, 100, 0);
-    tiles.Renderer->GetActiveCamera()->SetPosition(100, 100, 1000);
-    const std::vector<unsigned char> poster = GetReds(tiles.Window, 2);
-    int worst = 0;
-    for (std::size_t i = 0; i < poster.size(); ++i)
-    {
-      worst = std::max(worst, std::abs(int(poster[i]) - int(one[i])));
-    }
-    Check(poster.size() == one.size() && worst <= 3,
-      "a poster is one page: " + name + " " + std::to_string(worst));
-  }
-}
 }
 
 int TestStrokeStyles(int argc, char* argv[])
@@ -359,7 +236,5 @@ int TestStrokeStyles(int argc, char* argv[])
   TestDashes(argc, argv);
   TestHidden(argc, argv);
   TestWorldWidths();
-  TestOpacities();
-  TestMedia(argc, argv);
   return nprtest::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

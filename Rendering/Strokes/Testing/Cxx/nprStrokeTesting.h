@@ -10,6 +10,7 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPoints.h>
@@ -22,6 +23,7 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <iostream>
 #include <string>
@@ -61,6 +63,40 @@ inline vtkSmartPointer<vtkPolyData> MakeLines(const std::vector<Line>& lines)
   data->SetPoints(points);
   data->SetLines(cells);
   return data;
+}
+
+inline const double Pi = vtkMath::Pi();
+
+inline void Expect(double value, double expected, double relative, const std::string& what)
+{
+  Check(std::abs(value - expected) <= relative * std::abs(expected),
+    what + ": " + std::to_string(value) + " instead of " + std::to_string(expected));
+}
+
+inline vtkNPRStrokeMapper* GetMapper(vtkActor* actor)
+{
+  return vtkNPRStrokeMapper::SafeDownCast(actor->GetMapper());
+}
+
+inline Line MakeCircle(int segments, double x, double y, double radius)
+{
+  Line circle;
+  for (int i = 0; i <= segments; ++i)
+  {
+    const double angle = 2 * Pi * (i % segments) / segments;
+    circle.push_back({ x + radius * std::cos(angle), y + radius * std::sin(angle), 0 });
+  }
+  return circle;
+}
+
+inline Line MakeStraight(double x0, double x1, double y, int segments)
+{
+  Line line;
+  for (int i = 0; i <= segments; ++i)
+  {
+    line.push_back({ x0 + (x1 - x0) * i / segments, y, 0 });
+  }
+  return line;
 }
 
 /// A white picture in which world coordinates are pixels (parallel projection, z towards the eye).
