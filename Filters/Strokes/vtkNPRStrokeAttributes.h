@@ -211,8 +211,8 @@ public:
   ///@}
 
   ///@{
-  /** The length of the waves, in the unit of LengthUnit; positive. Default: 0.1. */
-  vtkSetClampMacro(WobbleWavelength, double, 1e-6, VTK_FLOAT_MAX);
+  /** The length of the waves, in the unit of LengthUnit, 1e-4 or more. Default: 0.1. */
+  vtkSetClampMacro(WobbleWavelength, double, 1e-4, VTK_FLOAT_MAX);
   vtkGetMacro(WobbleWavelength, double);
   ///@}
 

@@ -6,9 +6,9 @@
  * joins, caps and dashes.
  *
  * Put it on a vtkActor; colour and opacity are those of the actor's vtkProperty (lighting plays no
- * part). With ScalarVisibility, which is off here by default, colours are those of scalars of points
- * or cells, as for any vtkMapper; where strokes of several colours cross, that of the most ink stays.
- * The lines and polylines of the input are drawn; other cells are not.
+ * part). With ScalarVisibility, which is off here by default, colours are those of scalars of
+ * points or cells, as for any vtkMapper; where strokes of several colours cross, that of the most
+ * ink stays. The lines and polylines of the input are drawn; other cells are not.
  *
  * Each pixel gets the share of its area that a stroke covers, so multisampling is not needed. All
  * strokes of the mapper are first drawn into a layer of their own that keeps the maximum, then laid
