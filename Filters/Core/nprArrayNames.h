@@ -47,7 +47,9 @@ inline constexpr const char* NeighbourhoodRadius = "NeighbourhoodRadius"; // 1 t
 inline constexpr const char* LineType = "LineType";   // cells, 1, index into LineTypeNames
 inline constexpr const char* LineLevel = "LineLevel"; // cells, 1, the field's value on the line
 /// A line's number: that of the line at its place in the view before, where there was one.
-inline constexpr const char* ChainId = "ChainId";             // cells, 1
+inline constexpr const char* ChainId = "ChainId"; // cells, 1
+inline constexpr const char* HidingLayers =
+  "HidingLayers"; // cells, 1, surfaces in front: 0 visible
 inline constexpr const char* LineTypeNames = "LineTypeNames"; // field data, strings
 inline constexpr const char* Strength = "Strength";           // points, 1, in [0, 1]
 inline constexpr const char* ArcLength = "ArcLength";         // points, 1, length
@@ -62,7 +64,6 @@ inline constexpr const char* CurveCurvature = "CurveCurvature"; // points, 1, no
 /// The cosine of the angle between the surface's normal and the light.
 inline constexpr const char* Shade = "Shade"; // points, 1, in [-1, 1]
 /// By how many surfaces a part of a stroke is hidden: 0 where it is visible.
-inline constexpr const char* HidingLayers = "HidingLayers"; // cells, 1
 }
 }
 

@@ -5,7 +5,7 @@
 set(NPR_VTK_COMPONENTS
   CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersGeneral FiltersGeometry
-  IOGeometry IOImage IOLegacy IOPLY IOXML
+  IOCore IOGeometry IOImage IOLegacy IOPLY IOXML
   ImagingCore ImagingGeneral
   RenderingCore RenderingOpenGL2 RenderingUI
   exprtk vtksys zlib)
@@ -34,4 +34,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 if (NPR_USE_OPENVDB)
   include(nprFindOpenVDB)
+endif ()
+if (NPR_USE_CAIRO)
+  include(nprFindCairo)
 endif ()

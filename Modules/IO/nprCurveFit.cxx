@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprCurveFit.h"
+
+#include "nprCubicFit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace npr
+{
+namespace
+{
+PagePoint Direction(const PagePoint& from, const PagePoint& to)
+{
+  const PagePoint way = to - from;
+  const double length = way.norm();
+  return length > 0.0 ? PagePoint(way / length) : PagePoint(1.0, 0.0);
+}
+
+double Turn(const PagePoint& in, const PagePoint& out)
+{
+  return std::atan2(std::abs(in.x() * out.y() - in.y() * out.x()), in.dot(out));
+}
+
+/// The tangent at the middle one of three points of a circle.
+PagePoint TangentOfThree(const PagePoint& before, const PagePoint& here, const PagePoint& after)
+{
+  const PagePoint in = here - before;
+  const PagePoint out = after - here;
+  const double inLength = in.norm();
+  const double outLength = out.norm();
+  const PagePoint sum = in * (outLength / inLength) + out * (inLength / outLength);
+  const double length = sum.norm();
+  return length > 1e-9 * (inLength + outLength) ? PagePoint(sum / length) : Direction(before, here);
+}
+
+/// Looks along a chain from one of its points.
+class Neighbours
+{
+public:
+  Neighbours(const PageChain& chain, double reach)
+    : Points(chain.Points), Closed(chain.Closed), Reach(reach * reach)
+  {
+  }
+
+  /// The first point from `i` on, in steps of `step`, that is out of reach; or the last one there
+  /// is up to `limit`.
+  std::size_t Find(std::size_t i, int step, std::size_t limit) const
+  {
+    std::size_t there = i;
+    while (there != limit)
+    {
+      there = this->Next(there, step);
+      if ((this->Points[there] - this->Points[i]).squaredNorm() >= this->Reach)
+      {
+        break;
+      }
+    }
+    return there;
+  }
+  std::size_t Find(std::size_t i, int step) const
+  {
+    const std::size_t n = this->Points.size();
+    return this->Find(i, step, this->Closed ? this->Next(i, -step) : step > 0 ? n - 1 : 0);
+  }
+  std::size_t Next(std::size_t i, int step) const
+  {
+    const std::size_t n = this->Points.size();
+    return step > 0 ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n - 1 : i - 1);
+  }
+
+private:
+  const std::vector<PagePoint>& Points;
+  bool Closed;
+  double Reach;
+};
+}
+
+//------------------------------------------------------------------------------
+void ThinChain(PageChain& chain, double distance)
+{
+  const std::size_t n = chain.Points.size();
+  if (n < 2)
+  {
+    return;
+  }
+  const double least = distance * distance;
+  std::vector<std::size_t> kept{ 0 };
+  for (std::size_t i = 1; i < n; ++i)
+  {
+    if ((chain.Points[i] - chain.Points[kept.back()]).squaredNorm() > least)
+    {
+      kept.push_back(i);
+    }
+  }
+  if (chain.Closed)
+  {
+    while (kept.size() > 1 &&
+      (chain.Points[kept.back()] - chain.Points[kept.front()]).squaredNorm() <= least)
+    {
+      kept.pop_back();
+    }
+    chain.Closed = kept.size() > 2;
+  }
+  else if (kept.back() != n - 1)
+  {
+    // The end stays where it is.
+    if (kept.size() > 1)
+    {
+      kept.back() = n - 1;
+    }
+    else if (chain.Points[n - 1] != chain.Points[0])
+    {
+      kept.push_back(n - 1);
+    }
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    chain.Points[i] = chain.Points[kept[i]];
+    if (!chain.Widths.empty())
+    {
+      chain.Widths[i] = chain.Widths[kept[i]];
+    }
+  }
+  chain.Points.resize(kept.size());
+  chain.Widths.resize(chain.Widths.empty() ? 0 : kept.size());
+}
+
+//------------------------------------------------------------------------------
+ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
+{
+  const std::vector<PagePoint>& points = chain.Points;
+  const std::size_t n = points.size();
+  const std::size_t pieces = chain.Closed ? n : n - 1;
+  ChainTurns turns{ std::vector<PagePoint>(n), std::vector<char>(n, 0), std::vector<char>(n, 0) };
+
+  std::vector<double> angles(n, 0.0);
+  std::vector<double> sharpness(n, -1.0); // minus the cosine of the turn
+  const Neighbours near(chain, 5.0 * settings.Tolerance);
+  for (std::size_t i = chain.Closed ? 0 : 1; i < pieces; ++i)
+  {
+    const std::size_t before = near.Next(i, -1);
+    const std::size_t after = near.Next(i, 1);
+    angles[i] = Turn(points[i] - points[before], points[after] - points[i]);
+    const PagePoint in = points[i] - points[near.Find(i, -1)];
+    const PagePoint out = points[near.Find(i, 1)] - points[i];
+    const double lengths = in.norm() * out.norm();
+    sharpness[i] = lengths > 0.0 ? -in.dot(out) / lengths : -1.0;
+  }
+
+  for (std::size_t i = 0; i < pieces; ++i)
+  {
+    const std::size_t after = near.Next(i, 1);
+    // How far an arc that turns by this angle leaves its chord.
+    const double bend = (points[after] - points[i]).norm() * std::max(angles[i], angles[after]) / 8;
+    turns.Straight[i] = bend > settings.BendTolerance;
+  }
+
+  for (std::size_t i = chain.Closed ? 0 : 1; i < pieces; ++i)
+  {
+    const bool betweenStraights = turns.Straight[near.Next(i, -1)] && turns.Straight[i];
+    bool sharp = sharpness[i] > -settings.CornerCosine;
+    // Of many that look round the same corner, the sharpest is it.
+    for (const int step : { -1, 1 })
+    {
+      const std::size_t end = sharp ? near.Find(i, step) : i;
+      for (std::size_t j = i; sharp && j != end;)
+      {
+        j = near.Next(j, step);
+        sharp = j == end || (step > 0 ? sharpness[i] >= sharpness[j] : sharpness[i] > sharpness[j]);
+      }
+    }
+    turns.Corners[i] = sharp || betweenStraights;
+  }
+
+  const Neighbours around(chain, 4.0 * settings.Tolerance);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const bool hasBefore = chain.Closed || i > 0;
+    const bool hasAfter = chain.Closed || i + 1 < n;
+    if (!hasBefore || !hasAfter)
+    {
+      const std::size_t next = around.Find(i, hasAfter ? 1 : -1);
+      turns.Tangents[i] =
+        hasAfter ? Direction(points[i], points[next]) : Direction(points[next], points[i]);
+    }
+    else if (turns.Straight[i] != turns.Straight[near.Next(i, -1)])
+    {
+      const std::size_t first = turns.Straight[i] ? i : near.Next(i, -1);
+      turns.Tangents[i] = Direction(points[first], points[near.Next(first, 1)]);
+    }
+    else
+    {
+      turns.Tangents[i] =
+        TangentOfThree(points[around.Find(i, -1)], points[i], points[around.Find(i, 1)]);
+    }
+  }
+  return turns;
+}
+
+//------------------------------------------------------------------------------
+void FitChain(const PageChain& chain, const FitSettings& settings, PagePath& path, bool move)
+{
+  const std::size_t n = chain.Points.size();
+  if (n == 0)
+  {
+    return;
+  }
+  const ChainTurns turns = FindTurns(chain, settings);
+  const std::size_t pieces = chain.Closed ? n : n - 1;
+
+  // A closed chain begins at a corner, if it has one.
+  std::size_t begin = 0;
+  if (chain.Closed)
+  {
+    const auto corner = std::find(turns.Corners.begin(), turns.Corners.end(), 1);
+    const auto straight = std::find(turns.Straight.begin(), turns.Straight.end(), 1);
+    begin = corner != turns.Corners.end() ? corner - turns.Corners.begin()
+      : straight != turns.Straight.end()  ? straight - turns.Straight.begin()
+                                          : 0;
+  }
+  std::vector<PagePoint> section;
+  std::vector<PagePoint> tangents;
+  const auto add = [&](std::size_t i)
+  {
+    section.push_back(chain.Points[i % n]);
+    tangents.push_back(turns.Tangents[i % n]);
+  };
+
+  if (move)
+  {
+    path.MoveTo(chain.Points[begin]);
+  }
+  else if ((path.Points.back() - chain.Points[begin]).norm() > 1e-9)
+  {
+    path.LineTo(chain.Points[begin]);
+  }
+  for (std::size_t first = begin; first < begin + pieces;)
+  {
+    if (turns.Straight[first % n])
+    {
+      path.LineTo(chain.Points[(first + 1) % n]);
+      ++first;
+      continue;
+    }
+    section.clear();
+    tangents.clear();
+    add(first);
+    std::size_t last = first;
+    do
+    {
+      add(++last);
+    } while (last < begin + pieces && !turns.Corners[last % n] && !turns.Straight[last % n]);
+
+    const bool startsFree = turns.Corners[first % n] || (!chain.Closed && first == begin);
+    const bool endsFree = turns.Corners[last % n] || (!chain.Closed && last == begin + pieces);
+    FitSection(section, tangents, startsFree, endsFree, settings, path);
+    first = last;
+  }
+  if (chain.Closed)
+  {
+    path.Close();
+  }
+}
+}

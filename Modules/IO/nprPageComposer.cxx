@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprPageComposer.h"
+
+#include "nprCurveFit.h"
+#include "nprNumberText.h"
+#include "nprPageView.h"
+#include "nprScaleBar.h"
+#include "nprStrokeInput.h"
+#include "nprStrokeOutline.h"
+#include "vtkNPRDrawingStyle.h"
+
+#include <vtkCamera.h>
+#include <vtkIdList.h>
+#include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace npr
+{
+namespace
+{
+// Of a stroke's tolerance, this much is spent on leaving out points that are close together.
+constexpr double ThinningShare = 0.25;
+constexpr double BendTolerances = 5.0;
+// Of the width of a stroke; millimetres a millimetre of the way.
+constexpr double WidthSlope = 0.2;
+
+/// The strokes of one layer, by their numbers in the input.
+struct LayerPlan
+{
+  std::string Name;
+  LineInk Ink;
+  StrokeInput::WidthRule Rule;
+  std::vector<vtkIdType> Lines;
+};
+
+void Require(bool condition, const std::string& problem)
+{
+  if (!condition)
+  {
+    throw DrawingError(problem);
+  }
+}
+
+bool IsPositive(double value)
+{
+  return std::isfinite(value) && value > 0.0;
+}
+
+std::string SizeText(double width, double height)
+{
+  return NumberText(width) + " x " + NumberText(height);
+}
+
+void CheckRequest(const PageRequest& request)
+{
+  Require(request.Camera, "There is no camera; give SetCamera() the one that the strokes are for.");
+  Require(request.Viewport[0] > 0 && request.Viewport[1] > 0,
+    "The viewport is " + SizeText(request.Viewport[0], request.Viewport[1]) +
+      " pixels; SetViewportSize() takes a width and height of at least 1.");
+  Require(IsPositive(request.Size[0]) && IsPositive(request.Size[1]),
+    "The page is " + SizeText(request.Size[0], request.Size[1]) +
+      " mm; SetPageSize() takes a positive width and height.");
+  Require(
+    request.Margin >= 0.0 && 2.0 * request.Margin < std::min(request.Size[0], request.Size[1]),
+    "Margins of " + NumberText(request.Margin) + " mm leave nothing of a page of " +
+      SizeText(request.Size[0], request.Size[1]) + " mm; set a smaller Margin or a larger page.");
+  Require(IsPositive(request.Tolerance),
+    "The Tolerance is " + NumberText(request.Tolerance) + " mm; it must be positive.");
+  Require(IsPositive(request.Scale) && IsPositive(request.MillimetresPerUnit),
+    "Scale is " + NumberText(request.Scale) + " and MillimetresPerUnit " +
+      NumberText(request.MillimetresPerUnit) + "; both must be positive.");
+  Require(!request.Image ||
+      (request.Image->GetScalarType() == VTK_UNSIGNED_CHAR &&
+        request.Image->GetNumberOfScalarComponents() <= 4 &&
+        request.Image->GetNumberOfPoints() > 0 && request.Image->GetDimensions()[2] == 1),
+    "The image below the strokes must have one layer of pixels, of 1 to 4 unsigned chars each, as "
+    "vtkWindowToImageFilter gives it.");
+  const bool parallel = request.Camera->GetParallelProjection();
+  Require(parallel || request.Fit != PageFit::TrueScale,
+    "A drawing to scale needs a parallel projection: in perspective, what is far away is smaller, "
+    "so there is no one scale. Call ParallelProjectionOn() on the camera, or fit to the page.");
+  Require(parallel || !request.ScaleBar,
+    "A scale bar needs a parallel projection: in perspective, no bar holds for all depths. Call "
+    "ParallelProjectionOn() on the camera, or ScaleBarOff().");
+}
+
+//------------------------------------------------------------------------------
+class Composer
+{
+public:
+  Composer(const PageRequest& request, vtkPolyData* strokes)
+    : Request(request), Input(strokes),
+      View(request.Camera, request.Viewport[0], request.Viewport[1])
+  {
+    this->Fit.Tolerance = (1.0 - ThinningShare) * request.Tolerance;
+    this->Fit.BendTolerance = BendTolerances * request.Tolerance;
+    // No turn is a corner at 180 degrees, however the cosine is rounded.
+    this->Fit.CornerCosine = request.CornerAngle < 180.0
+      ? std::cos(vtkMath::RadiansFromDegrees(request.CornerAngle))
+      : -2.0;
+  }
+
+  PageDrawing Compose(std::vector<std::string>& warnings)
+  {
+    PageDrawing drawing;
+    drawing.Width = this->Request.Size[0];
+    drawing.Height = this->Request.Size[1];
+    drawing.Title = this->Request.Title;
+    drawing.Date = this->Request.Date;
+    drawing.Resolution = std::pow(10.0, std::floor(std::log10(0.1 * this->Request.Tolerance)));
+
+    std::vector<LayerPlan> plans = this->PlanLayers();
+    this->PlacePicture(plans, drawing, warnings);
+    this->TellFacts(drawing);
+    for (LayerPlan& plan : plans)
+    {
+      plan.Rule.WidthPerPixel = this->MillimetresPerPixel;
+      PageLayer layer = this->DrawLayer(plan);
+      if (!layer.Shapes.empty())
+      {
+        drawing.Layers.push_back(std::move(layer));
+      }
+    }
+    if (this->Request.ScaleBar)
+    {
+      drawing.Layers.push_back(
+        MakeScaleBar(drawing.Area, this->GetMillimetresPerUnit(), this->Request.UnitName));
+    }
+    return drawing;
+  }
+
+private:
+  /// On the page, in a parallel projection.
+  double GetMillimetresPerUnit() const
+  {
+    return this->MillimetresPerPixel * this->View.GetPixelsPerUnit();
+  }
+
+  /// Hidden layers below all others; within each, the first line type on top.
+  std::vector<LayerPlan> PlanLayers() const
+  {
+    const std::vector<std::string>& types = this->Input.GetTypeNames();
+    std::vector<LayerPlan> plans(2 * types.size());
+    const auto getPlace = [&](int type, bool hidden)
+    { return (hidden ? 1 : 2) * types.size() - 1 - static_cast<std::size_t>(type); };
+    for (std::size_t type = 0; type < types.size(); ++type)
+    {
+      for (const bool hidden : { false, true })
+      {
+        LayerPlan& plan = plans[getPlace(static_cast<int>(type), hidden)];
+        plan.Name = types[type] + (hidden ? " (hidden)" : " (visible)");
+        plan.Ink = this->Request.Style->GetInk(types[type], hidden);
+        if (hidden && this->Request.Hidden == HiddenLines::Shown)
+        {
+          plan.Ink.Dashes.clear();
+        }
+        plan.Rule = { plan.Ink.Width, 0.0, plan.Ink.Taper };
+      }
+    }
+    for (vtkIdType line = 0; line < this->Input.GetNumberOfLines(); ++line)
+    {
+      const bool hidden = this->Input.IsHidden(line);
+      if (!hidden || this->Request.Hidden != HiddenLines::None)
+      {
+        plans[getPlace(this->Input.GetType(line), hidden)].Lines.push_back(line);
+      }
+    }
+    return plans;
+  }
+
+  /// The pixels around all strokes that are drawn; false if there are none.
+  bool FindBounds(const std::vector<LayerPlan>& plans, PageRectangle& bounds) const
+  {
+    bounds.Least.setConstant(VTK_DOUBLE_MAX);
+    bounds.Most.setConstant(-VTK_DOUBLE_MAX);
+    vtkNew<vtkIdList> ids;
+    std::vector<StrokeInput::Chain> chains;
+    for (const LayerPlan& plan : plans)
+    {
+      for (const vtkIdType line : plan.Lines)
+      {
+        this->Input.GetChains(line, plan.Rule, ids, chains);
+        for (const StrokeInput::Chain& chain : chains)
+        {
+          for (const WorldPoint& point : chain.Points)
+          {
+            Eigen::Vector2d pixel;
+            if (chain.Points.size() > 1 && this->View.GetPixel(point.Position, pixel))
+            {
+              bounds.Least = bounds.Least.cwiseMin(pixel);
+              bounds.Most = bounds.Most.cwiseMax(pixel);
+            }
+          }
+        }
+      }
+    }
+    return bounds.Least.x() <= bounds.Most.x();
+  }
+
+  void PlacePicture(
+    const std::vector<LayerPlan>& plans, PageDrawing& drawing, std::vector<std::string>& warnings)
+  {
+    const PagePoint size(this->Request.Size[0], this->Request.Size[1]);
+    const PagePoint margin = PagePoint::Constant(this->Request.Margin);
+    drawing.Area = { margin, size - margin };
+    const PagePoint room = drawing.Area.GetSize();
+    const PagePoint middle = 0.5 * size;
+
+    const Eigen::Vector2d viewport(this->Request.Viewport[0], this->Request.Viewport[1]);
+    PageRectangle pixels{ Eigen::Vector2d::Zero(), viewport };
+    if (this->Request.Fit != PageFit::Viewport && !this->FindBounds(plans, pixels))
+    {
+      pixels = { Eigen::Vector2d::Zero(), viewport };
+    }
+    // Strokes in one line, or one place, have no height, or no size.
+    const Eigen::Vector2d extent = pixels.GetSize().cwiseMax(1e-9 * viewport.maxCoeff());
+    const Eigen::Vector2d center = 0.5 * (pixels.Least + pixels.Most);
+    this->MillimetresPerPixel = room.cwiseQuotient(extent).minCoeff();
+    if (this->Request.Fit == PageFit::TrueScale)
+    {
+      this->MillimetresPerPixel =
+        this->Request.Scale * this->Request.MillimetresPerUnit / this->View.GetPixelsPerUnit();
+      const PagePoint drawn = this->MillimetresPerPixel * extent;
+      if (drawn.x() > room.x() * 1.000001 || drawn.y() > room.y() * 1.000001)
+      {
+        warnings.push_back("At the scale " + ScaleText(this->Request.Scale) + " the drawing is " +
+          SizeText(drawn.x(), drawn.y()) + " mm, and the page has room for " +
+          SizeText(room.x(), room.y()) +
+          " mm: strokes are cut there. Set a smaller Scale or a larger page.");
+      }
+    }
+    const auto getPlace = [&](const Eigen::Vector2d& pixel) -> PagePoint
+    { return middle + this->MillimetresPerPixel * (pixel - center); };
+    drawing.Image = this->Request.Image;
+    drawing.ImagePlace = { getPlace(Eigen::Vector2d::Zero()), getPlace(viewport) };
+    if (this->Request.Fit == PageFit::Viewport)
+    {
+      drawing.Area = drawing.ImagePlace; // what the window does not show, the page does not
+    }
+    this->View.Place(center, middle, this->MillimetresPerPixel, drawing.Area);
+  }
+
+  void TellFacts(PageDrawing& drawing) const
+  {
+    vtkCamera* const camera = this->Request.Camera;
+    const auto triple = [](const double* v)
+    { return NumberText(v[0], 9) + " " + NumberText(v[1], 9) + " " + NumberText(v[2], 9); };
+    auto& facts = drawing.Facts;
+    facts.emplace_back("style", this->Request.Style->GetName());
+    if (this->Request.Fit == PageFit::TrueScale)
+    {
+      facts.emplace_back("scale", ScaleText(this->Request.Scale));
+    }
+    if (camera->GetParallelProjection())
+    {
+      facts.emplace_back("projection", "parallel");
+      facts.emplace_back("parallel-scale", NumberText(camera->GetParallelScale(), 9));
+      facts.emplace_back("millimetres-per-unit", NumberText(this->GetMillimetresPerUnit(), 9));
+    }
+    else
+    {
+      facts.emplace_back("projection", "perspective");
+      facts.emplace_back("view-angle", NumberText(camera->GetViewAngle(), 9));
+    }
+    facts.emplace_back("camera-position", triple(camera->GetPosition()));
+    facts.emplace_back("camera-focal-point", triple(camera->GetFocalPoint()));
+    facts.emplace_back("camera-view-up", triple(camera->GetViewUp()));
+    facts.emplace_back("viewport",
+      std::to_string(this->Request.Viewport[0]) + " " + std::to_string(this->Request.Viewport[1]));
+  }
+
+  /// Blocks of strokes are drawn by threads and put together in order.
+  PageLayer DrawLayer(const LayerPlan& plan) const
+  {
+    constexpr vtkIdType BlockSize = 64;
+    const vtkIdType count = static_cast<vtkIdType>(plan.Lines.size());
+    std::vector<PageLayer> blocks((count + BlockSize - 1) / BlockSize);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        vtkNew<vtkIdList> ids;
+        for (vtkIdType block = begin; block < end; ++block)
+        {
+          const vtkIdType last = std::min(count, (block + 1) * BlockSize);
+          for (vtkIdType i = block * BlockSize; i < last; ++i)
+          {
+            this->DrawLine(plan, plan.Lines[i], ids, blocks[block]);
+          }
+        }
+      });
+
+    PageLayer layer;
+    layer.Name = plan.Name;
+    layer.Ink = plan.Ink;
+    PagePath& path = layer.Path;
+    for (PageLayer& block : blocks)
+    {
+      for (PageShape shape : block.Shapes)
+      {
+        shape.CommandEnd += path.Commands.size();
+        shape.PointEnd += path.Points.size();
+        layer.Shapes.push_back(shape);
+      }
+      path.Commands.insert(
+        path.Commands.end(), block.Path.Commands.begin(), block.Path.Commands.end());
+      path.Points.insert(path.Points.end(), block.Path.Points.begin(), block.Path.Points.end());
+      block = PageLayer();
+    }
+    return layer;
+  }
+
+  void DrawLine(const LayerPlan& plan, vtkIdType line, vtkIdList* ids, PageLayer& layer) const
+  {
+    std::vector<StrokeInput::Chain> chains;
+    std::vector<PageChain> drawn;
+    this->Input.GetChains(line, plan.Rule, ids, chains);
+    for (const StrokeInput::Chain& chain : chains)
+    {
+      this->View.Draw(chain.Points, chain.Closed, drawn);
+    }
+    for (PageChain& chain : drawn)
+    {
+      ThinChain(chain, ThinningShare * this->Request.Tolerance);
+      this->DrawChain(plan.Ink, chain, layer);
+    }
+  }
+
+  void DrawChain(const LineInk& ink, PageChain& chain, PageLayer& layer) const
+  {
+    const auto [least, most] = std::minmax_element(chain.Widths.begin(), chain.Widths.end());
+    if (chain.Points.size() < 2 || *most <= 0.0)
+    {
+      return;
+    }
+    const double tolerance = this->Request.Tolerance;
+    const bool isPlain = !ink.Dashes.empty() ||
+      (std::abs(*least - ink.Width) <= tolerance && std::abs(*most - ink.Width) <= tolerance);
+    if (isPlain)
+    {
+      FitChain(chain, this->Fit, layer.Path);
+    }
+    else
+    {
+      LimitWidthChange(chain, WidthSlope);
+      AddOutline(chain, this->Fit, ink.Cap == LineInk::ROUND_CAP, layer.Path);
+    }
+    layer.Shapes.push_back({ layer.Path.Commands.size(), layer.Path.Points.size(), !isPlain });
+  }
+
+  const PageRequest& Request;
+  StrokeInput Input;
+  PageView View;
+  FitSettings Fit;
+  double MillimetresPerPixel = 1.0;
+};
+}
+
+//------------------------------------------------------------------------------
+PageDrawing ComposePage(
+  const PageRequest& request, vtkPolyData* strokes, std::vector<std::string>& warnings)
+{
+  CheckRequest(request);
+  return Composer(request, strokes).Compose(warnings);
+}
+}
