@@ -16,7 +16,7 @@ set(python_components)
 if (BUILD_TESTING)
   list(APPEND build_components
     CommonComputationalGeometry CommonMisc
-    FiltersHybrid FiltersParallel FiltersSources FiltersTexture IOExport)
+    FiltersHybrid FiltersParallel FiltersSources FiltersTexture IOExport IOXMLParser)
   list(APPEND python_components Interpreter)
 endif ()
 if (NPR_WRAP_PYTHON)

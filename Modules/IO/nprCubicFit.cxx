@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCubicFit.h"
 
+#include "nprChainTangents.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,9 +30,8 @@ PagePoint Evaluate(const Cubic& powers, double t)
 class SectionFit
 {
 public:
-  SectionFit(const std::vector<PagePoint>& points, const std::vector<PagePoint>& tangents,
-    const FitSettings& settings, PagePath& path)
-    : Points(points), Tangents(tangents), Settings(settings), Path(path),
+  SectionFit(const std::vector<PagePoint>& points, const FitSettings& settings, PagePath& path)
+    : Points(points), Settings(settings), Path(path),
       Lengths(points.size(), 0.0), Parameters(points.size(), 0.0)
   {
     for (std::size_t i = 1; i < points.size(); ++i)
@@ -39,41 +40,12 @@ public:
     }
   }
 
-  /// The tangent at an end that nothing else tells: of the parabola through the end and two more
-  /// points.
-  PagePoint GetEndTangent(bool atStart, const PagePoint& otherTangent) const
+  PagePoint GetTangent(std::size_t i) const
   {
-    const std::size_t n = this->Points.size();
-    const auto at = [&](std::size_t i) -> const PagePoint&
-    { return this->Points[atStart ? i : n - 1 - i]; };
-    if (n == 2)
-    {
-      // Of an arc that has the other tangent: mirrored by the chord.
-      const PagePoint chord = (this->Points[1] - this->Points[0]).normalized();
-      return 2.0 * chord.dot(otherTangent) * chord - otherTangent;
-    }
-    const double reach = 4.0 * this->Settings.Tolerance;
-    std::size_t one = 1;
-    while (one + 2 < n && (at(one) - at(0)).norm() < reach)
-    {
-      ++one;
-    }
-    std::size_t two = one + 1;
-    while (two + 1 < n && (at(two) - at(one)).norm() < reach)
-    {
-      ++two;
-    }
-    const PagePoint first = at(one) - at(0);
-    const PagePoint second = at(two) - at(one);
-    const double a = first.norm();
-    const double b = second.norm();
-    PagePoint tangent = first;
-    if (a > 0.0 && b > 0.0)
-    {
-      const PagePoint bent = first / a + (first / a - second / b) * (a / (a + b));
-      tangent = bent.dot(first) > 0.0 ? bent : first;
-    }
-    return (atStart ? 1.0 : -1.0) * tangent.normalized();
+    const auto point = [this](std::ptrdiff_t k) -> const PagePoint& { return this->Points[k]; };
+    const auto last = static_cast<std::ptrdiff_t>(this->Points.size()) - 1;
+    return ChainTangents(point, 0, last, this->Settings.Tolerance)
+      .Get(static_cast<std::ptrdiff_t>(i));
   }
 
   void Fit(std::size_t first, std::size_t last, const PagePoint& start, const PagePoint& end)
@@ -120,7 +92,7 @@ public:
     // hand.
     const std::size_t least = std::max<std::size_t>(1, n / 8);
     const std::size_t middle = std::clamp(worst, first + least, last - least);
-    const PagePoint tangent = this->Tangents[middle];
+    const PagePoint tangent = this->GetTangent(middle);
     this->Fit(first, middle, start, tangent);
     this->Fit(middle, last, tangent, end);
   }
@@ -238,7 +210,6 @@ private:
   }
 
   const std::vector<PagePoint>& Points;
-  const std::vector<PagePoint>& Tangents;
   const FitSettings& Settings;
   PagePath& Path;
   std::vector<double> Lengths;
@@ -263,21 +234,32 @@ bool IsStraight(const std::vector<PagePoint>& points, double distance)
   }
   return length > 0.0;
 }
+
+/// Of an arc between two points that has a tangent at one of them: that at the other.
+PagePoint Mirror(const PagePoint& tangent, const PagePoint& from, const PagePoint& to)
+{
+  const PagePoint chord = (to - from).normalized();
+  return 2.0 * chord.dot(tangent) * chord - tangent;
+}
 }
 
 //------------------------------------------------------------------------------
-void FitSection(const std::vector<PagePoint>& points, const std::vector<PagePoint>& tangents,
-  bool startsFree, bool endsFree, const FitSettings& settings, PagePath& path)
+void FitSection(const std::vector<PagePoint>& points, const GivenTangent& start,
+  const GivenTangent& end, const FitSettings& settings, PagePath& path)
 {
-  if (startsFree && endsFree &&
-    (points.size() == 2 || IsStraight(points, 0.1 * settings.Tolerance)))
+  const std::size_t last = points.size() - 1;
+  if (!start && !end && (last == 1 || IsStraight(points, 0.1 * settings.Tolerance)))
   {
     path.LineTo(points.back());
     return;
   }
-  SectionFit fit(points, tangents, settings, path);
-  const PagePoint start = startsFree ? fit.GetEndTangent(true, tangents.back()) : tangents.front();
-  const PagePoint end = endsFree ? fit.GetEndTangent(false, start) : tangents.back();
-  fit.Fit(0, points.size() - 1, start, end);
+  SectionFit fit(points, settings, path);
+  const PagePoint first = start ? *start
+    : last == 1                 ? Mirror(*end, points[0], points[1])
+                                : fit.GetTangent(0);
+  const PagePoint final = end ? *end
+    : last == 1               ? Mirror(*start, points[0], points[1])
+                              : fit.GetTangent(last);
+  fit.Fit(0, last, first, final);
 }
 }

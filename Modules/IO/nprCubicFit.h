@@ -10,19 +10,23 @@
 #include "nprCurveFit.h"
 #include "nprPagePath.h"
 
+#include <optional>
 #include <vector>
 
 namespace npr
 {
+/// A tangent that is given, such as where a curve meets a straight piece; if not, it comes from the
+/// points.
+using GivenTangent = std::optional<PagePoint>;
+
 /**
  * Appends curves from the first point to the last one, without a move to the first.
  *
  * They pass all points within the tolerance and have common tangents where they meet. There are at
- * least two points. An end that is free has its tangent from the points of the section alone,
- * another one has that given.
+ * least two points.
  */
-void FitSection(const std::vector<PagePoint>& points, const std::vector<PagePoint>& tangents,
-  bool startsFree, bool endsFree, const FitSettings& settings, PagePath& path);
+void FitSection(const std::vector<PagePoint>& points, const GivenTangent& start,
+  const GivenTangent& end, const FitSettings& settings, PagePath& path);
 }
 
 #endif

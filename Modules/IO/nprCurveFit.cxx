@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCurveFit.h"
 
+#include "nprChainTangents.h"
 #include "nprCubicFit.h"
 
 #include <algorithm>
@@ -12,28 +13,9 @@ namespace npr
 {
 namespace
 {
-PagePoint Direction(const PagePoint& from, const PagePoint& to)
-{
-  const PagePoint way = to - from;
-  const double length = way.norm();
-  return length > 0.0 ? PagePoint(way / length) : PagePoint(1.0, 0.0);
-}
-
 double Turn(const PagePoint& in, const PagePoint& out)
 {
   return std::atan2(std::abs(in.x() * out.y() - in.y() * out.x()), in.dot(out));
-}
-
-/// The tangent at the middle one of three points of a circle.
-PagePoint TangentOfThree(const PagePoint& before, const PagePoint& here, const PagePoint& after)
-{
-  const PagePoint in = here - before;
-  const PagePoint out = after - here;
-  const double inLength = in.norm();
-  const double outLength = out.norm();
-  const PagePoint sum = in * (outLength / inLength) + out * (inLength / outLength);
-  const double length = sum.norm();
-  return length > 1e-9 * (inLength + outLength) ? PagePoint(sum / length) : Direction(before, here);
 }
 
 /// Looks along a chain from one of its points.
@@ -134,7 +116,7 @@ ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
   const std::vector<PagePoint>& points = chain.Points;
   const std::size_t n = points.size();
   const std::size_t pieces = chain.Closed ? n : n - 1;
-  ChainTurns turns{ std::vector<PagePoint>(n), std::vector<char>(n, 0), std::vector<char>(n, 0) };
+  ChainTurns turns{ std::vector<char>(n, 0), std::vector<char>(n, 0) };
 
   std::vector<double> angles(n, 0.0);
   std::vector<double> sharpness(n, -1.0); // minus the cosine of the turn
@@ -150,12 +132,25 @@ ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
     sharpness[i] = lengths > 0.0 ? -in.dot(out) / lengths : -1.0;
   }
 
+  const auto getLength = [&](std::size_t i)
+  { return (points[near.Next(i, 1)] - points[i]).norm(); };
   for (std::size_t i = 0; i < pieces; ++i)
   {
     const std::size_t after = near.Next(i, 1);
+    const double length = getLength(i);
+    double neighbour = length;
+    if (chain.Closed || i > 0)
+    {
+      neighbour = std::min(neighbour, getLength(near.Next(i, -1)));
+    }
+    if (chain.Closed || after < pieces)
+    {
+      neighbour = std::min(neighbour, getLength(after));
+    }
     // How far an arc that turns by this angle leaves its chord.
-    const double bend = (points[after] - points[i]).norm() * std::max(angles[i], angles[after]) / 8;
-    turns.Straight[i] = bend > settings.BendTolerance;
+    const double bend = length * std::max(angles[i], angles[after]) / 8;
+    turns.Straight[i] = bend > settings.BendTolerance ||
+      (bend > 2.0 * settings.Tolerance && length > 4.0 * neighbour);
   }
 
   for (std::size_t i = chain.Closed ? 0 : 1; i < pieces; ++i)
@@ -173,29 +168,6 @@ ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
       }
     }
     turns.Corners[i] = sharp || betweenStraights;
-  }
-
-  const Neighbours around(chain, 4.0 * settings.Tolerance);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const bool hasBefore = chain.Closed || i > 0;
-    const bool hasAfter = chain.Closed || i + 1 < n;
-    if (!hasBefore || !hasAfter)
-    {
-      const std::size_t next = around.Find(i, hasAfter ? 1 : -1);
-      turns.Tangents[i] =
-        hasAfter ? Direction(points[i], points[next]) : Direction(points[next], points[i]);
-    }
-    else if (turns.Straight[i] != turns.Straight[near.Next(i, -1)])
-    {
-      const std::size_t first = turns.Straight[i] ? i : near.Next(i, -1);
-      turns.Tangents[i] = Direction(points[first], points[near.Next(first, 1)]);
-    }
-    else
-    {
-      turns.Tangents[i] =
-        TangentOfThree(points[around.Find(i, -1)], points[i], points[around.Find(i, 1)]);
-    }
   }
   return turns;
 }
@@ -221,13 +193,15 @@ void FitChain(const PageChain& chain, const FitSettings& settings, PagePath& pat
       : straight != turns.Straight.end()  ? straight - turns.Straight.begin()
                                           : 0;
   }
-  std::vector<PagePoint> section;
-  std::vector<PagePoint> tangents;
-  const auto add = [&](std::size_t i)
+  const auto point = [&](std::ptrdiff_t i) -> const PagePoint& { return chain.Points[i % n]; };
+  // Where a section goes over into a straight piece, it takes that one's direction.
+  const auto getStraightTangent = [&](std::size_t i, std::size_t piece)
   {
-    section.push_back(chain.Points[i % n]);
-    tangents.push_back(turns.Tangents[i % n]);
+    return turns.Straight[piece] && !turns.Corners[i % n]
+      ? GivenTangent((point(piece + 1) - point(piece)).normalized())
+      : GivenTangent();
   };
+  std::vector<PagePoint> section;
 
   if (move)
   {
@@ -245,18 +219,31 @@ void FitChain(const PageChain& chain, const FitSettings& settings, PagePath& pat
       ++first;
       continue;
     }
-    section.clear();
-    tangents.clear();
-    add(first);
-    std::size_t last = first;
-    do
+    std::size_t last = first + 1;
+    while (last < begin + pieces && !turns.Corners[last % n] && !turns.Straight[last % n])
     {
-      add(++last);
-    } while (last < begin + pieces && !turns.Corners[last % n] && !turns.Straight[last % n]);
+      ++last;
+    }
+    section.clear();
+    for (std::size_t i = first; i <= last; ++i)
+    {
+      section.push_back(point(i));
+    }
 
-    const bool startsFree = turns.Corners[first % n] || (!chain.Closed && first == begin);
-    const bool endsFree = turns.Corners[last % n] || (!chain.Closed && last == begin + pieces);
-    FitSection(section, tangents, startsFree, endsFree, settings, path);
+    GivenTangent start;
+    GivenTangent end;
+    if (last - first == n && !turns.Corners[begin] && !turns.Straight[begin])
+    {
+      // No seam: one tangent, from the points on both sides of it.
+      start = ChainTangents(point, first + 1, first + 2 * n - 1, settings.Tolerance).Get(last);
+      end = start;
+    }
+    else
+    {
+      start = getStraightTangent(first, (first + n - 1) % n);
+      end = getStraightTangent(last, last % n);
+    }
+    FitSection(section, start, end, settings, path);
     first = last;
   }
   if (chain.Closed)

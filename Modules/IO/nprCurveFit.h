@@ -6,9 +6,10 @@
  *
  * The points are taken for samples of a curve that is smooth but for its corners. A corner is where
  * the chain turns by more than CornerAngle within a few tolerances, or where two pieces meet that
- * are meant to be straight: a piece is, if a smooth curve through its ends would leave it by
- * more than BendTolerance. Between corners, cubic curves follow each other with common tangents;
- * each passes all points within Tolerance. A closed chain without corners has no seam.
+ * are meant to be straight. A piece is, if a smooth curve through its ends would leave it by more
+ * than BendTolerance, or by more than two tolerances where it is far longer than a neighbour.
+ * Between corners, cubic curves follow each other with common tangents; each passes all points
+ * within Tolerance. A closed chain without corners has no seam.
  *
  * @par Thanks:
  * P. Schneider: An Algorithm for Automatically Fitting Digitized Curves, Graphics Gems, 1990.
@@ -44,9 +45,8 @@ void ThinChain(PageChain& chain, double distance);
 /// What the chain is at each of its points.
 struct ChainTurns
 {
-  std::vector<PagePoint> Tangents; // unit vectors; at a corner, half-way
-  std::vector<char> Corners;       // 1 at a corner
-  std::vector<char> Straight;      // 1 where the piece from here to the next point is straight
+  std::vector<char> Corners;  // 1 at a corner
+  std::vector<char> Straight; // 1 where the piece from here to the next point is straight
 };
 ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings);
 

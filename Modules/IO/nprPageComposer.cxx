@@ -28,7 +28,8 @@ namespace
 {
 // Of a stroke's tolerance, this much is spent on leaving out points that are close together.
 constexpr double ThinningShare = 0.25;
-constexpr double BendTolerances = 5.0;
+// What rounds a polyline by less than this is no corner; millimetres.
+constexpr double BendTolerance = 0.1;
 // Of the width of a stroke; millimetres a millimetre of the way.
 constexpr double WidthSlope = 0.2;
 
@@ -101,7 +102,7 @@ public:
       View(request.Camera, request.Viewport[0], request.Viewport[1])
   {
     this->Fit.Tolerance = (1.0 - ThinningShare) * request.Tolerance;
-    this->Fit.BendTolerance = BendTolerances * request.Tolerance;
+    this->Fit.BendTolerance = std::max(BendTolerance, request.Tolerance);
     // No turn is a corner at 180 degrees, however the cosine is rounded.
     this->Fit.CornerCosine = request.CornerAngle < 180.0
       ? std::cos(vtkMath::RadiansFromDegrees(request.CornerAngle))
@@ -115,7 +116,8 @@ public:
     drawing.Height = this->Request.Size[1];
     drawing.Title = this->Request.Title;
     drawing.Date = this->Request.Date;
-    drawing.Resolution = std::pow(10.0, std::floor(std::log10(0.1 * this->Request.Tolerance)));
+    drawing.Resolution =
+      std::min(0.001, std::pow(10.0, std::floor(std::log10(0.1 * this->Request.Tolerance))));
 
     std::vector<LayerPlan> plans = this->PlanLayers();
     this->PlacePicture(plans, drawing, warnings);

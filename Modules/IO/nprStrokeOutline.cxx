@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprStrokeOutline.h"
 
+#include "nprChainTangents.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -31,18 +33,15 @@ class Outline
 {
 public:
   Outline(const PageChain& chain, const FitSettings& settings, bool roundCaps, PagePath& path)
-    : Chain(chain), Settings(settings), Turns(FindTurns(chain, settings)), RoundCaps(roundCaps),
-      Path(path)
+    : Chain(chain), Size(chain.Points.size()), Settings(settings), RoundCaps(roundCaps), Path(path)
   {
     // The sides have corners where the chain has them, and nowhere else.
     this->Settings.CornerCosine = -2.0;
-    this->FindTightBends();
   }
 
-  void Add()
+  void Add(const std::vector<char>& corners)
   {
-    const std::size_t n = this->Chain.Points.size();
-    const std::vector<char>& corners = this->Turns.Corners;
+    const std::size_t n = this->Size;
     std::size_t begin = 0;
     if (this->Chain.Closed)
     {
@@ -69,97 +68,132 @@ public:
   }
 
 private:
-  double GetRadius(std::size_t i) const { return 0.5 * this->Chain.Widths[i]; }
-
-  PagePoint GetSide(std::size_t i, double side) const
+  /// A point of the chain with the direction there.
+  struct Station
   {
-    return this->Chain.Points[i] + side * this->GetRadius(i) * LeftOf(this->Turns.Tangents[i]);
+    PagePoint Place;
+    PagePoint Tangent;
+    double Radius;
+
+    PagePoint GetSide(double side) const { return Place + side * Radius * LeftOf(Tangent); }
+  };
+
+  /// The points from `first` to `last`; tangents look at no others than those from `lookFirst`.
+  std::vector<Station> GetStations(
+    std::size_t first, std::size_t last, std::size_t lookFirst, std::size_t lookLast) const
+  {
+    const auto point = [this](std::ptrdiff_t i) -> const PagePoint&
+    { return this->Chain.Points[i % this->Size]; };
+    const ChainTangents tangents(point, lookFirst, lookLast, this->Settings.Tolerance);
+    std::vector<Station> stations;
+    for (std::size_t i = first; i <= last; ++i)
+    {
+      stations.push_back({ point(i), tangents.Get(i), 0.5 * this->Chain.Widths[i % this->Size] });
+    }
+    return stations;
   }
 
-  /// Where a side runs backwards, the stroke is cut as at a corner.
-  void FindTightBends()
+  /// Where one side or the other would run backwards.
+  static bool IsTight(const Station& from, const Station& to)
   {
-    const std::size_t n = this->Chain.Points.size();
-    for (std::size_t i = this->Chain.Closed ? 0 : 1; i < n; ++i)
-    {
-      const std::size_t before = i == 0 ? n - 1 : i - 1;
-      const PagePoint way = this->Chain.Points[i] - this->Chain.Points[before];
-      for (const double side : { -1.0, 1.0 })
-      {
-        if ((this->GetSide(i, side) - this->GetSide(before, side)).dot(way) < 0.0)
-        {
-          this->Turns.Corners[i] = i + 1 < n || this->Chain.Closed;
-          this->Turns.Corners[before] = before > 0 || this->Chain.Closed;
-        }
-      }
-    }
+    const PagePoint way = to.Place - from.Place;
+    return (to.GetSide(1.0) - from.GetSide(1.0)).dot(way) < 0.0 ||
+      (to.GetSide(-1.0) - from.GetSide(-1.0)).dot(way) < 0.0;
   }
 
   void AddRing()
   {
-    const std::size_t n = this->Chain.Points.size();
-    PageChain ring;
-    ring.Closed = true;
-    for (std::size_t i = 0; i < n; ++i)
+    const std::size_t n = this->Size;
+    std::vector<Station> stations = this->GetStations(n, 2 * n, n / 2 + 1, 2 * n + n / 2);
+    for (std::size_t i = 1; i <= n; ++i)
     {
-      ring.Points.push_back(this->GetSide(i, 1.0));
+      if (IsTight(stations[i - 1], stations[i]))
+      {
+        this->AddPieces(stations, true, true);
+        return;
+      }
     }
-    FitChain(ring, this->Settings, this->Path);
-    for (std::size_t i = 0; i < n; ++i)
+    PageChain left;
+    PageChain right;
+    left.Closed = true;
+    right.Closed = true;
+    stations.pop_back();
+    for (const Station& station : stations)
     {
-      ring.Points[n - 1 - i] = this->GetSide(i, -1.0);
+      left.Points.push_back(station.GetSide(1.0));
+      right.Points.push_back(station.GetSide(-1.0));
     }
-    FitChain(ring, this->Settings, this->Path);
-  }
-
-  /// The tangents at a section's ends are its own, not those around a corner.
-  PagePoint GetTangent(std::size_t i, std::size_t first, std::size_t last) const
-  {
-    const std::size_t n = this->Chain.Points.size();
-    if ((i == first || i == last) && this->Turns.Corners[i % n])
+    std::reverse(right.Points.begin(), right.Points.end());
+    for (PageChain* side : { &left, &right })
     {
-      const std::size_t other = i == first ? i + 1 : i - 1;
-      const PagePoint way =
-        (this->Chain.Points[other % n] - this->Chain.Points[i % n]) * (i == first ? 1.0 : -1.0);
-      return way.normalized();
+      ThinChain(*side, 0.25 * this->Settings.Tolerance);
+      FitChain(*side, this->Settings, this->Path);
     }
-    return this->Turns.Tangents[i % n];
   }
 
   void AddSection(std::size_t first, std::size_t last, bool startRound, bool endRound)
   {
-    const std::size_t n = this->Chain.Points.size();
+    this->AddPieces(this->GetStations(first, last, first, last), startRound, endRound);
+  }
+
+  /// Pieces between tight bends.
+  void AddPieces(const std::vector<Station>& stations, bool startRound, bool endRound)
+  {
+    const std::size_t last = stations.size() - 1;
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= last; ++i)
+    {
+      if (IsTight(stations[i - 1], stations[i]))
+      {
+        if (begin < i - 1)
+        {
+          this->AddPiece(stations, begin, i - 1, startRound || begin > 0, true);
+        }
+        // The tight part itself, with the directions of its own way.
+        std::vector<Station> bend{ stations[i - 1], stations[i] };
+        bend[0].Tangent = (bend[1].Place - bend[0].Place).normalized();
+        bend[1].Tangent = bend[0].Tangent;
+        this->AddPiece(bend, 0, 1, startRound || i > 1, endRound || i < last);
+        begin = i;
+      }
+    }
+    if (begin < last)
+    {
+      this->AddPiece(stations, begin, last, startRound || begin > 0, endRound);
+    }
+  }
+
+  void AddPiece(const std::vector<Station>& stations, std::size_t first, std::size_t last,
+    bool startRound, bool endRound)
+  {
     PageChain left;
     PageChain right;
     for (std::size_t i = first; i <= last; ++i)
     {
-      const PagePoint off = this->GetRadius(i % n) * LeftOf(this->GetTangent(i, first, last));
-      left.Points.push_back(this->Chain.Points[i % n] + off);
-      right.Points.push_back(this->Chain.Points[i % n] - off);
+      left.Points.push_back(stations[i].GetSide(1.0));
+      right.Points.push_back(stations[first + last - i].GetSide(-1.0));
     }
-    std::reverse(right.Points.begin(), right.Points.end());
     ThinChain(left, 0.25 * this->Settings.Tolerance);
     ThinChain(right, 0.25 * this->Settings.Tolerance);
-
     FitChain(left, this->Settings, this->Path);
-    this->AddEnd(last % n, this->GetTangent(last, first, last), endRound);
+    this->AddEnd(stations[last], 1.0, endRound);
     FitChain(right, this->Settings, this->Path, false);
-    this->AddEnd(first % n, -this->GetTangent(first, first, last), startRound);
+    this->AddEnd(stations[first], -1.0, startRound);
     this->Path.Close();
   }
 
-  void AddEnd(std::size_t i, const PagePoint& forward, bool isRound)
+  void AddEnd(const Station& end, double sense, bool isRound)
   {
     // A point that is thinner than what can be seen needs no cap.
-    if (isRound && this->GetRadius(i) > 0.5 * this->Settings.Tolerance)
+    if (isRound && end.Radius > 0.5 * this->Settings.Tolerance)
     {
-      AddHalfCircle(this->Chain.Points[i], forward, this->GetRadius(i), this->Path);
+      AddHalfCircle(end.Place, sense * end.Tangent, end.Radius, this->Path);
     }
   }
 
   const PageChain& Chain;
+  std::size_t Size;
   FitSettings Settings;
-  ChainTurns Turns;
   bool RoundCaps;
   PagePath& Path;
 };
@@ -193,7 +227,7 @@ void AddOutline(const PageChain& chain, const FitSettings& settings, bool roundC
 {
   if (chain.Points.size() > 1)
   {
-    Outline(chain, settings, roundCaps, path).Add();
+    Outline(chain, settings, roundCaps, path).Add(FindTurns(chain, settings).Corners);
   }
 }
 }
