@@ -155,7 +155,18 @@ std::vector<Stroke> MakeTestStrokes()
     square.Line.push_back(places[side]);
     square.Widths.push_back(1.0 + 0.4 * std::sin(t));
   }
-  strokes = { wave, spring, zigzag, taper, ring, square };
+  // Wider than they are large: nothing is left of the hole.
+  Stroke dot{ "small ring", {}, {}, true };
+  Stroke coil{ "coil", {}, {}, false };
+  for (int i = 0; i <= 100; ++i)
+  {
+    const double t = 2 * Pi * (i % 100) / 100;
+    dot.Line.push_back({ 0.4 * std::cos(t), 0.4 * std::sin(t), 0 });
+    dot.Widths.push_back(1.2);
+    coil.Line.push_back({ 0.4 * std::cos(0.064 * i), 0.4 * std::sin(0.064 * i), 0 });
+    coil.Widths.push_back(1.2);
+  }
+  strokes = { dot, coil, wave, spring, zigzag, taper, ring, square };
   return strokes;
 }
 
