@@ -5,6 +5,8 @@
 #include "nprChainTangents.h"
 #include "nprCubicFit.h"
 
+#include <vtkType.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,34 +25,42 @@ class Neighbours
 {
 public:
   Neighbours(const PageChain& chain, double reach)
-    : Points(chain.Points), Closed(chain.Closed), Reach(reach * reach)
+    : Points(chain.Points), Closed(chain.Closed), Reach(reach)
   {
   }
 
-  /// The first point from `i` on, in steps of `step`, that is out of reach; or the last one there
-  /// is up to `limit`.
-  std::size_t Find(std::size_t i, int step, std::size_t limit) const
-  {
-    std::size_t there = i;
-    while (there != limit)
-    {
-      there = this->Next(there, step);
-      if ((this->Points[there] - this->Points[i]).squaredNorm() >= this->Reach)
-      {
-        break;
-      }
-    }
-    return there;
-  }
-  std::size_t Find(std::size_t i, int step) const
-  {
-    const std::size_t n = this->Points.size();
-    return this->Find(i, step, this->Closed ? this->Next(i, -step) : step > 0 ? n - 1 : 0);
-  }
   std::size_t Next(std::size_t i, int step) const
   {
     const std::size_t n = this->Points.size();
     return step > 0 ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n - 1 : i - 1);
+  }
+
+  /// Calls `visit(j)` for the points after `i`, in steps of `step`, that are within reach on the
+  /// way along the chain. Returns the place where the reach ends, or else the chain.
+  template<typename Visit>
+  PagePoint Walk(std::size_t i, int step, const Visit& visit) const
+  {
+    const std::size_t n = this->Points.size();
+    const std::size_t end = this->Closed ? i : step > 0 ? n - 1 : 0;
+    double left = this->Reach;
+    std::size_t here = i;
+    do
+    {
+      const std::size_t there = this->Next(here, step);
+      const PagePoint way = this->Points[there] - this->Points[here];
+      const double length = way.norm();
+      if (length > left)
+      {
+        return this->Points[here] + way * (left / length);
+      }
+      left -= length;
+      here = there;
+      if (here != i)
+      {
+        visit(here);
+      }
+    } while (here != end);
+    return this->Points[here];
   }
 
 private:
@@ -119,17 +129,17 @@ ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
   ChainTurns turns{ std::vector<char>(n, 0), std::vector<char>(n, 0) };
 
   std::vector<double> angles(n, 0.0);
-  std::vector<double> sharpness(n, -1.0); // minus the cosine of the turn
+  std::vector<char> sharp(n, 0);
+  std::vector<double> foldings(n, -VTK_DOUBLE_MAX);
   const Neighbours near(chain, 5.0 * settings.Tolerance);
+  const auto ignore = [](std::size_t) {};
   for (std::size_t i = chain.Closed ? 0 : 1; i < pieces; ++i)
   {
-    const std::size_t before = near.Next(i, -1);
-    const std::size_t after = near.Next(i, 1);
-    angles[i] = Turn(points[i] - points[before], points[after] - points[i]);
-    const PagePoint in = points[i] - points[near.Find(i, -1)];
-    const PagePoint out = points[near.Find(i, 1)] - points[i];
-    const double lengths = in.norm() * out.norm();
-    sharpness[i] = lengths > 0.0 ? -in.dot(out) / lengths : -1.0;
+    angles[i] = Turn(points[i] - points[near.Next(i, -1)], points[near.Next(i, 1)] - points[i]);
+    const PagePoint in = points[i] - near.Walk(i, -1, ignore);
+    const PagePoint out = near.Walk(i, 1, ignore) - points[i];
+    foldings[i] = -in.dot(out);
+    sharp[i] = -foldings[i] < settings.CornerCosine * in.norm() * out.norm();
   }
 
   const auto getLength = [&](std::size_t i)
@@ -156,18 +166,14 @@ ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
   for (std::size_t i = chain.Closed ? 0 : 1; i < pieces; ++i)
   {
     const bool betweenStraights = turns.Straight[near.Next(i, -1)] && turns.Straight[i];
-    bool sharp = sharpness[i] > -settings.CornerCosine;
-    // Of many that look round the same corner, the sharpest is it.
-    for (const int step : { -1, 1 })
+    // Of the points around a corner, the one where the chain folds most is it.
+    bool most = sharp[i] != 0;
+    if (most)
     {
-      const std::size_t end = sharp ? near.Find(i, step) : i;
-      for (std::size_t j = i; sharp && j != end;)
-      {
-        j = near.Next(j, step);
-        sharp = j == end || (step > 0 ? sharpness[i] >= sharpness[j] : sharpness[i] > sharpness[j]);
-      }
+      near.Walk(i, -1, [&](std::size_t j) { most = most && foldings[i] > foldings[j]; });
+      near.Walk(i, 1, [&](std::size_t j) { most = most && foldings[i] >= foldings[j]; });
     }
-    turns.Corners[i] = sharp || betweenStraights;
+    turns.Corners[i] = most || betweenStraights;
   }
   return turns;
 }
