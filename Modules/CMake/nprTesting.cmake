@@ -47,3 +47,14 @@ endfunction ()
 function (npr_tests_need_models)
   set_tests_properties(${ARGV} PROPERTIES FIXTURES_REQUIRED NprModels SKIP_RETURN_CODE 125)
 endfunction ()
+
+# npr_compare_drawings(NAME <test> FILES <path without ending> COMMAND <what draws>): the command
+# writes the path with .svg and with .pdf, and both must look alike.
+function (npr_compare_drawings)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;FILES" "COMMAND")
+  add_test(NAME "${arg_NAME}"
+    COMMAND "${CMAKE_COMMAND}" "-DDRAW=${arg_COMMAND}" "-DNAME=${arg_FILES}"
+      "-DCOMPARE=$<TARGET_FILE:npr-compare-images>"
+      -P "${CMAKE_SOURCE_DIR}/Testing/ImageComparison/CompareDrawings.cmake")
+  set_tests_properties("${arg_NAME}" PROPERTIES ENVIRONMENT "${NPR_TEST_ENVIRONMENT}" TIMEOUT 120)
+endfunction ()

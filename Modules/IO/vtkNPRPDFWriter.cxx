@@ -107,7 +107,8 @@ void DrawLayer(cairo_t* context, const npr::PageLayer& layer)
   }
 }
 
-/// An image as cairo has it: rows from the top, colours multiplied by their opacity.
+/// An image as cairo has it: rows from the top, and what is transparent laid on white, for the
+/// black behind it would show where viewers interpolate.
 std::vector<std::uint32_t> GetPixels(vtkImageData* image)
 {
   const int* const size = image->GetDimensions();
@@ -123,10 +124,10 @@ std::vector<std::uint32_t> GetPixels(vtkImageData* image)
       const auto* const p =
         static_cast<const unsigned char*>(image->GetScalarPointer(x, y, extent[4]));
       const std::uint32_t alpha = components % 2 == 0 ? p[components - 1] : 255;
-      std::uint32_t pixel = alpha;
+      std::uint32_t pixel = 0;
       for (int c = 0; c < 3; ++c)
       {
-        pixel = pixel << 8 | (p[isGrey ? 0 : c] * alpha + 127) / 255;
+        pixel = pixel << 8 | (p[isGrey ? 0 : c] * alpha + 255 * (255 - alpha) + 127) / 255;
       }
       pixels.push_back(pixel);
     }
@@ -140,7 +141,7 @@ void DrawImage(cairo_t* context, const npr::PageDrawing& drawing)
   std::vector<std::uint32_t> pixels = GetPixels(drawing.Image);
   const Surface surface(
     cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()),
-      CAIRO_FORMAT_ARGB32, size[0], size[1], static_cast<int>(size[0] * sizeof(std::uint32_t))));
+      CAIRO_FORMAT_RGB24, size[0], size[1], static_cast<int>(size[0] * sizeof(std::uint32_t))));
   const npr::PagePoint corner = drawing.Area.Least;
   const npr::PagePoint area = drawing.Area.GetSize();
   const npr::PageRectangle& place = drawing.ImagePlace;

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A PDF tells the same as the SVG, and the same on every run. ctest compares the pixels of both.
+#include "nprArrayNames.h"
+#include "nprChecks.h"
+#include "nprDrawingTesting.h"
+#include "vtkNPRDrawingStyle.h"
+#include "vtkNPRPDFWriter.h"
+
+#include <vtkCellData.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include <cmath>
+
+namespace
+{
+using namespace nprtest;
+
+/// One of everything: corners, loops, tapers, widths, hidden lines, translucent crossings.
+vtkSmartPointer<vtkPolyData> MakeStrokesOfAllKinds()
+{
+  std::vector<Line3> lines{ { { -40, 30, 0 }, { -20, 45, 0 }, { -10, 25, 0 }, { 5, 45, 0 } } };
+  for (int k = 0; k < 4; ++k)
+  {
+    Line3 line;
+    for (int i = 0; i <= 100; ++i)
+    {
+      const double t = 2 * Pi * (i % 100) / 100;
+      line.push_back(k < 2 ? Eigen::Vector3d(20 * k - 25 + 14 * std::cos(t), 9 * std::sin(t), 0)
+                           : Eigen::Vector3d(0.9 * i - 60, 9 * k - 50 + 4 * std::sin(0.1 * i), 0));
+    }
+    lines.push_back(line);
+  }
+  vtkSmartPointer<vtkPolyData> strokes = MakeStrokes(lines);
+  vtkNew<vtkFloatArray> strength;
+  strength->SetName(npr::names::Strength);
+  for (vtkIdType i = 0; i < strokes->GetNumberOfPoints(); ++i)
+  {
+    strength->InsertNextValue(static_cast<float>(0.5 - 0.5 * std::cos(0.06 * i)));
+  }
+  vtkNew<vtkIntArray> types;
+  types->SetName(npr::names::LineType);
+  vtkNew<vtkIntArray> hiding;
+  hiding->SetName(npr::names::HidingLayers);
+  for (const int type : { 0, 1, 1, 2, 0 })
+  {
+    types->InsertNextValue(type);
+    hiding->InsertNextValue(hiding->GetNumberOfTuples() == 4);
+  }
+  vtkNew<vtkStringArray> names;
+  names->SetName(npr::names::LineTypeNames);
+  for (const char* name : { "contours", "veils", "suggestive" })
+  {
+    names->InsertNextValue(name);
+  }
+  strokes->GetPointData()->AddArray(strength);
+  strokes->GetCellData()->AddArray(types);
+  strokes->GetCellData()->AddArray(hiding);
+  strokes->GetFieldData()->AddArray(names);
+  return strokes;
+}
+
+vtkSmartPointer<vtkImageData> MakeImage()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(200, 150, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < 150; ++y)
+  {
+    for (int x = 0; x < 200; ++x, pixel += 4)
+    {
+      pixel[0] = 255;
+      pixel[1] = static_cast<unsigned char>(200 + x / 4);
+      pixel[2] = static_cast<unsigned char>(150 + y / 2);
+      pixel[3] = static_cast<unsigned char>(y < 20 ? 0 : 255);
+    }
+  }
+  return image;
+}
+
+bool Write(vtkNPRDrawingWriter* writer, const std::string& file)
+{
+  vtkNew<vtkNPRDrawingStyle> style;
+  style->SetWidth("veils", 2.0);
+  style->SetColor("veils", 0.1, 0.3, 0.7);
+  style->SetOpacity("veils", 0.5);
+  style->SetCap("veils", vtkNPRDrawingStyle::BUTT_CAP);
+  style->SetWidth("suggestive", 1.0);
+  style->SetJoin("contours", vtkNPRDrawingStyle::MITER_JOIN);
+  SetPlainPage(writer, MakeStrokesOfAllKinds());
+  writer->SetStyle(style);
+  writer->SetViewportSize(1000, 750);
+  writer->SetPageSize(120, 90);
+  writer->SetMargin(5);
+  writer->SetHiddenLines(vtkNPRDrawingWriter::HIDDEN_LINES_DASHED);
+  writer->SetImage(MakeImage());
+  writer->ScaleBarOn();
+  writer->SetUnitName("mm");
+  writer->SetTitle("One of everything");
+  writer->SetFileName(file.c_str());
+  return writer->Write() != 0;
+}
+}
+
+int TestDrawingPDF(int argc, char* argv[])
+{
+  Checks check;
+  const std::string name = OutputFolder(argc, argv) + "DrawingPDF";
+  vtkNew<vtkNPRSVGWriter> svg;
+  check(Write(svg, name + ".svg"), "an SVG");
+  vtkNew<vtkNPRPDFWriter> pdf;
+  check(Write(pdf, name + ".pdf"), "a PDF");
+  const std::string bytes = ReadFile(name + ".pdf");
+  check(bytes.rfind("%PDF-", 0) == 0, "begins as a PDF does");
+  check(bytes.find("One of everything") != std::string::npos, "tells its title");
+  check(bytes.find("CreationDate") == std::string::npos, "tells no date that nobody set");
+  vtkNew<vtkNPRPDFWriter> again;
+  check(Write(again, name + ".pdf") && ReadFile(name + ".pdf") == bytes, "the same bytes again");
+
+  again->SetDate("2026-01-31");
+  again->Write();
+  check(ReadFile(name + ".pdf").find("20260131") != std::string::npos, "tells a date");
+  check(Write(pdf, name + ".pdf"), "as it was");
+  return check.GetResult();
+}
