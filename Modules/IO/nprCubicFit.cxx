@@ -31,8 +31,8 @@ class SectionFit
 {
 public:
   SectionFit(const std::vector<PagePoint>& points, const FitSettings& settings, PagePath& path)
-    : Points(points), Settings(settings), Path(path),
-      Lengths(points.size(), 0.0), Parameters(points.size(), 0.0)
+    : Points(points), Settings(settings), Path(path), Lengths(points.size(), 0.0),
+      Parameters(points.size(), 0.0)
   {
     for (std::size_t i = 1; i < points.size(); ++i)
     {
@@ -157,14 +157,13 @@ private:
   }
 
   /// The largest squared distance, and where it is. Between points that are far apart the curve
-  /// must not leave the piece there by more than a bend may.
+  /// must not leave the piece there by much more than an arc would.
   double GetError(const Cubic& curve, std::size_t first, std::size_t last, std::size_t step,
     std::size_t& worst) const
   {
     const Cubic powers = ToPowers(curve);
     const double tolerance = this->Settings.Tolerance * this->Settings.Tolerance;
     const double longPiece = 8.0 * this->Settings.Tolerance;
-    const double bend = std::pow(this->Settings.BendTolerance + this->Settings.Tolerance, 2);
     double most = 0.0;
     for (std::size_t i = first + step; i <= last; i += step)
     {
@@ -176,7 +175,8 @@ private:
         const PagePoint piece = this->Points[i] - this->Points[i - 1];
         const PagePoint off = middle - this->Points[i - 1];
         const double across = std::abs(piece.x() * off.y() - piece.y() * off.x());
-        error = std::max(error, across * across / piece.squaredNorm() * (tolerance / bend));
+        const double bend = 1.5 * this->GetBend(i - 1) + this->Settings.Tolerance;
+        error = std::max(error, across * across / piece.squaredNorm() * tolerance / (bend * bend));
       }
       if (error > most && i < last)
       {
@@ -191,6 +191,23 @@ private:
     }
     worst = std::clamp(worst, first + 1, last - 1);
     return most;
+  }
+
+  /// How far an arc that turns as the points do leaves the piece from a point to the next.
+  double GetBend(std::size_t i) const
+  {
+    const auto getTurn = [this](std::size_t k)
+    {
+      if (k == 0 || k + 1 == this->Points.size())
+      {
+        return 0.0;
+      }
+      const PagePoint in = this->Points[k] - this->Points[k - 1];
+      const PagePoint out = this->Points[k + 1] - this->Points[k];
+      return std::atan2(std::abs(in.x() * out.y() - in.y() * out.x()), in.dot(out));
+    };
+    const double turn = std::max(getTurn(i), getTurn(i + 1));
+    return (this->Lengths[i + 1] - this->Lengths[i]) * turn / 8;
   }
 
   /// A step of Newton's method for where on the curve each point is nearest.

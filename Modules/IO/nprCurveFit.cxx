@@ -7,6 +7,8 @@
 
 #include <vtkType.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,9 +17,29 @@ namespace npr
 {
 namespace
 {
+// Radians. On the page, the tip of a narrow ellipse turns by this at most, however coarse it is;
+// and what is a corner in the world is one on the page if it turns by this at least.
+constexpr double LargestTurnOfCircle = 2.0;
+constexpr double LeastCornerTurn = 0.14;
+
 double Turn(const PagePoint& in, const PagePoint& out)
 {
   return std::atan2(std::abs(in.x() * out.y() - in.y() * out.x()), in.dot(out));
+}
+
+/// Whether a chain turns at one of its points, in the world if it is from there, by so much that no
+/// circle was meant: more than from side to side of a polygon with nine sides.
+bool IsSharpInWorld(
+  const PageChain& chain, std::size_t before, std::size_t i, std::size_t after, double pageTurn)
+{
+  constexpr double SharpTurn = 40.0 * 3.14159265358979323846 / 180.0;
+  if (chain.World.empty())
+  {
+    return pageTurn > SharpTurn;
+  }
+  const Eigen::Vector3d in = chain.World[i] - chain.World[before];
+  const Eigen::Vector3d out = chain.World[after] - chain.World[i];
+  return in.dot(out) < std::cos(SharpTurn) * in.norm() * out.norm();
 }
 
 /// Looks along a chain from one of its points.
@@ -115,9 +137,14 @@ void ThinChain(PageChain& chain, double distance)
     {
       chain.Widths[i] = chain.Widths[kept[i]];
     }
+    if (!chain.World.empty())
+    {
+      chain.World[i] = chain.World[kept[i]];
+    }
   }
   chain.Points.resize(kept.size());
   chain.Widths.resize(chain.Widths.empty() ? 0 : kept.size());
+  chain.World.resize(chain.World.empty() ? 0 : kept.size());
 }
 
 //------------------------------------------------------------------------------
@@ -130,37 +157,53 @@ ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
 
   std::vector<double> angles(n, 0.0);
   std::vector<char> sharp(n, 0);
+  std::vector<char> sharpInWorld(n, 0);
+  std::vector<char> meant(n, 0);
   std::vector<double> foldings(n, -VTK_DOUBLE_MAX);
-  const Neighbours near(chain, 5.0 * settings.Tolerance);
+  const Neighbours near(chain, settings.GetReach());
   const auto ignore = [](std::size_t) {};
   for (std::size_t i = chain.Closed ? 0 : 1; i < pieces; ++i)
   {
-    angles[i] = Turn(points[i] - points[near.Next(i, -1)], points[near.Next(i, 1)] - points[i]);
+    const std::size_t before = near.Next(i, -1);
+    const std::size_t after = near.Next(i, 1);
+    angles[i] = Turn(points[i] - points[before], points[after] - points[i]);
+    sharpInWorld[i] = IsSharpInWorld(chain, before, i, after, angles[i]);
     const PagePoint in = points[i] - near.Walk(i, -1, ignore);
     const PagePoint out = near.Walk(i, 1, ignore) - points[i];
     foldings[i] = -in.dot(out);
     sharp[i] = -foldings[i] < settings.CornerCosine * in.norm() * out.norm();
+    const bool isSparse = (points[i] - points[before]).norm() > settings.GetReach() &&
+      (points[after] - points[i]).norm() > settings.GetReach();
+    if (isSparse && !sharpInWorld[i] && angles[i] < LargestTurnOfCircle)
+    {
+      sharp[i] = 0; // a coarse circle, seen from its edge
+    }
+    meant[i] = isSparse && sharpInWorld[i] && angles[i] > LeastCornerTurn;
   }
 
+  const auto isSharpOrEnd = [&](std::size_t i)
+  { return sharpInWorld[i] || (!chain.Closed && (i == 0 || i + 1 == n)); };
   const auto getLength = [&](std::size_t i)
   { return (points[near.Next(i, 1)] - points[i]).norm(); };
+  // Over the next two pieces, if there are two.
+  const auto getWay = [&](std::size_t i, int step)
+  {
+    const std::size_t one = near.Next(i, step);
+    const std::size_t two = near.Next(one, step);
+    const std::size_t end = step > 0 ? n - 1 : 0;
+    return !chain.Closed && (i == end || one == end)
+      ? VTK_DOUBLE_MAX
+      : (points[one] - points[i]).norm() + (points[two] - points[one]).norm();
+  };
   for (std::size_t i = 0; i < pieces; ++i)
   {
     const std::size_t after = near.Next(i, 1);
     const double length = getLength(i);
-    double neighbour = length;
-    if (chain.Closed || i > 0)
-    {
-      neighbour = std::min(neighbour, getLength(near.Next(i, -1)));
-    }
-    if (chain.Closed || after < pieces)
-    {
-      neighbour = std::min(neighbour, getLength(after));
-    }
     // How far an arc that turns by this angle leaves its chord.
     const double bend = length * std::max(angles[i], angles[after]) / 8;
-    turns.Straight[i] = bend > settings.BendTolerance ||
-      (bend > 2.0 * settings.Tolerance && length > 4.0 * neighbour);
+    turns.Straight[i] = (bend > settings.BendTolerance && isSharpOrEnd(i) && isSharpOrEnd(after)) ||
+      (bend > 2.0 * settings.Tolerance &&
+        (getWay(i, -1) < 0.5 * length || getWay(after, 1) < 0.5 * length));
   }
 
   for (std::size_t i = chain.Closed ? 0 : 1; i < pieces; ++i)
@@ -173,7 +216,7 @@ ChainTurns FindTurns(const PageChain& chain, const FitSettings& settings)
       near.Walk(i, -1, [&](std::size_t j) { most = most && foldings[i] > foldings[j]; });
       near.Walk(i, 1, [&](std::size_t j) { most = most && foldings[i] >= foldings[j]; });
     }
-    turns.Corners[i] = most || betweenStraights;
+    turns.Corners[i] = most || betweenStraights || meant[i];
   }
   return turns;
 }

@@ -147,6 +147,7 @@ void PageView::Draw(
       const Homogeneous point = start + t * (end - start);
       drawn.back().Points.emplace_back(point.head<2>() / point[2]);
       drawn.back().Widths.push_back(from.Width + t * (to.Width - from.Width));
+      drawn.back().World.emplace_back(from.Position + t * (to.Position - from.Position));
     };
     if (span.Empty)
     {
@@ -177,6 +178,7 @@ void PageView::Draw(
   {
     last.Points.pop_back();
     last.Widths.pop_back();
+    last.World.pop_back();
     last.Closed = true;
   }
   else if (open && startsInside && drawn.size() > firstDrawn + 1)
@@ -185,6 +187,7 @@ void PageView::Draw(
     PageChain& first = drawn[firstDrawn];
     last.Points.insert(last.Points.end(), first.Points.begin() + 1, first.Points.end());
     last.Widths.insert(last.Widths.end(), first.Widths.begin() + 1, first.Widths.end());
+    last.World.insert(last.World.end(), first.World.begin() + 1, first.World.end());
     first = std::move(last);
     drawn.pop_back();
   }

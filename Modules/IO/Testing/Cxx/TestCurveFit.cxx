@@ -172,7 +172,8 @@ void TestCorners()
   Line3 hexagon;
   for (int i = 0; i <= 6; ++i)
   {
-    hexagon.push_back({ 20 * std::cos(Pi * (i + 0.3) / 3), 4 * std::sin(Pi * (i + 0.3) / 3), 0 });
+    const double t = Pi * (i + 0.3) / 3;
+    hexagon.push_back({ 20 * std::cos(t), 4 * std::sin(t), 19.6 * std::sin(t) });
   }
   hexagon.back() = hexagon.front();
   const std::vector<Path> hexagons = DrawLines({ hexagon });
@@ -188,6 +189,23 @@ void TestCorners()
     bulge = std::max(bulge, DistanceToPolyline(point, outline));
   }
   check(bulge < 0.002, "its sides are straight", bulge);
+
+  // A circle of sixteen sides is meant to be round, from the side, too.
+  Line3 coarse;
+  for (int i = 0; i <= 16; ++i)
+  {
+    const double t = 2 * Pi * (i % 16) / 16;
+    coarse.push_back({ 30 * std::cos(t), 12 * std::sin(t), 27 * std::sin(t) });
+  }
+  const std::vector<Path> circles = DrawLines({ coarse });
+  check(circles.size() == 1 && circles[0].Closed[0] && LargestTurn(circles[0]) < 3.0,
+    "a coarse circle is round", LargestTurn(circles.at(0)));
+  double dent = 0.0;
+  for (const Point2& p : Sample(circles.at(0).Parts[0], 20))
+  {
+    dent = std::max(dent, std::abs(std::hypot((p.x() - 50) / 30, (p.y() - 50) / 12) - 1));
+  }
+  check(dent < 0.01, "and as a circle is", dent);
 
   // A straight side that goes over into an arc: one tangent, and no bulge.
   Line3 bend{ { -40, 0, 0 } };
