@@ -48,8 +48,8 @@ inline constexpr const char* LineType = "LineType";   // cells, 1, index into Li
 inline constexpr const char* LineLevel = "LineLevel"; // cells, 1, the field's value on the line
 /// A line's number: that of the line at its place in the view before, where there was one.
 inline constexpr const char* ChainId = "ChainId"; // cells, 1
-inline constexpr const char* HidingLayers =
-  "HidingLayers"; // cells, 1, surfaces in front: 0 visible
+/// How many surfaces are in front: 0 where it is visible.
+inline constexpr const char* HidingLayers = "HidingLayers";   // cells, 1
 inline constexpr const char* LineTypeNames = "LineTypeNames"; // field data, strings
 inline constexpr const char* Strength = "Strength";           // points, 1, in [0, 1]
 inline constexpr const char* ArcLength = "ArcLength";         // points, 1, length
@@ -63,7 +63,6 @@ inline constexpr const char* Opacity = "Opacity";             // points, 1, a fa
 inline constexpr const char* CurveCurvature = "CurveCurvature"; // points, 1, no unit
 /// The cosine of the angle between the surface's normal and the light.
 inline constexpr const char* Shade = "Shade"; // points, 1, in [-1, 1]
-/// By how many surfaces a part of a stroke is hidden: 0 where it is visible.
 }
 }
 
