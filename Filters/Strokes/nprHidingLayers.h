@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef nprHidingLayers_h
+#define nprHidingLayers_h
+
+#include "nprHidingSurfaces.h"
+#include "nprImageProjection.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace npr
+{
+/**
+ * @class HidingLayers
+ * @brief Counts how many layers of surface are between a point and the eye, by the rule that
+ * vtkNPRStrokeVisibility documents.
+ *
+ * One object for each thread. The surface around the point is looked at only where a ray meets
+ * something so near that it may belong to it.
+ */
+class HidingLayers
+{
+public:
+  using Index = TriangleMesh::Index;
+  using Vector = Eigen::Vector3d;
+
+  /// No more than \p most layers are counted; 1 ends each ray at the first.
+  HidingLayers(const HidingSurfaces& surfaces, const ImageProjection& projection, int most);
+
+  /// \p normal of the smooth surface that the point lies on, or zero where that is not known.
+  int Count(const Vector& point, const Vector& normal);
+
+  /// Adds the places, in ]0, 1[, where a segment goes through a surface.
+  void FindPiercings(const Vector& from, const Vector& to, std::vector<double>& places) const;
+
+private:
+  struct Crossing
+  {
+    float Distance;
+    Index Triangle;
+    bool FromFront;
+  };
+  struct Step
+  {
+    Index Triangle;
+    Vector Normal; // of the triangle that the steps began at, turned as this one is
+    bool IsSource;
+  };
+
+  /// Whether a crossing is with the surface that the point lies on, near it.
+  bool IsOwn(Index triangle, double distance);
+  void FindOwnSurface();
+  /// Sets the nearest triangle, the distance from it, and which triangles touch the point.
+  bool FindNearest();
+  void Collect(double sourceReach, double reach);
+  double GetDistance(Index triangle) const;
+  bool IsInside(Index triangle) const;
+  double GetSize(Index triangle) const;
+  int CountCrossings();
+
+  const HidingSurfaces& Surfaces;
+  const ImageProjection& Projection;
+  const int Most;
+
+  // What is known of the point.
+  Vector Point;
+  Vector Normal;
+  Vector ToEye; // unit
+  double PixelSize = 0.0;
+  bool IsOwnKnown = false;
+  Index Nearest = -1;
+  double Gap = 0.0;   // distance from the nearest triangle
+  double Reach = 0.0; // how far the own surface hides nothing
+  std::vector<Index> Touching;
+  std::vector<Step> Own;
+
+  std::vector<Crossing> Crossings;
+  double LargestSize = 0.0;
+};
+}
+
+#endif

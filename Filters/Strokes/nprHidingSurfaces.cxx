@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprHidingSurfaces.h"
+
+#include "nprArrayNames.h"
+#include "nprWeldedPoints.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkTriangleFilter.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+namespace npr
+{
+namespace
+{
+/// The triangles of a surface that may have other polygons and strips.
+TriangleMesh ReadTriangles(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangulate;
+  const bool isTriangulated =
+    surface->GetNumberOfStrips() == 0 && surface->GetPolys()->IsHomogeneous() == 3;
+  if (!isTriangulated)
+  {
+    vtkNew<vtkPolyData> copy;
+    copy->ShallowCopy(surface);
+    triangulate->PassVertsOff();
+    triangulate->PassLinesOff();
+    triangulate->SetInputData(copy);
+    triangulate->Update();
+    surface = triangulate->GetOutput();
+  }
+  TriangleMesh mesh(surface);
+  if (!surface->GetPointData()->HasArray(names::WeldedPointIds))
+  {
+    return mesh;
+  }
+  const std::vector<TriangleMesh::Index> welded = GetWeldedPoints(surface);
+  std::vector<TriangleMesh::Triangle> triangles = mesh.GetTriangles();
+  for (TriangleMesh::Triangle& triangle : triangles)
+  {
+    for (TriangleMesh::Index& corner : triangle)
+    {
+      corner = welded[corner];
+    }
+  }
+  return TriangleMesh(mesh.GetPoints(), std::move(triangles), mesh.GetOrigin());
+}
+}
+
+//------------------------------------------------------------------------------
+HidingSurfaces::HidingSurfaces(const std::vector<Surface>& surfaces)
+{
+  Eigen::AlignedBox3d box;
+  std::size_t numberOfPoints = 1;
+  for (const Surface& surface : surfaces)
+  {
+    double bounds[6];
+    surface.Data->GetBounds(bounds);
+    numberOfPoints += surface.Data->GetNumberOfPoints();
+    for (int corner = 0; corner < 8 && surface.Data->GetNumberOfPoints() > 0; ++corner)
+    {
+      const Eigen::Vector4d point(
+        bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)], 1.0);
+      const Eigen::Vector3d place = (surface.ToWorld * point).head<3>();
+      if (place.allFinite())
+      {
+        box.extend(place);
+      }
+    }
+  }
+  if (!box.isEmpty())
+  {
+    this->Centre = box.center();
+  }
+  this->Points.reserve(numberOfPoints);
+  for (const Surface& surface : surfaces)
+  {
+    if (surface.Data->GetNumberOfPoints() > 0)
+    {
+      TriangleMesh mesh = ReadTriangles(surface.Data);
+      mesh.BuildNeighbours();
+      this->Append(mesh, surface.ToWorld);
+    }
+  }
+  this->Points.emplace_back(Eigen::Vector3f::Zero());
+
+  double squared = 0.0;
+  std::atomic<bool> isOriented{ true };
+  for (const TriangleMesh::Triangle& triangle : this->Triangles)
+  {
+    for (const Index corner : triangle)
+    {
+      squared = std::max(squared, static_cast<double>(this->Points[corner].squaredNorm()));
+    }
+  }
+  this->Radius = std::sqrt(squared);
+  constexpr double manyRoundings = 1e-5;
+  this->Tolerance = manyRoundings * this->Radius;
+  vtkSMPTools::For(0, this->GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto t = static_cast<Index>(begin); t < end && isOriented; ++t)
+      {
+        for (int e = 0; e < 3; ++e)
+        {
+          if (this->GetNeighbour(t, e) > t && !this->CompareOrientation(t, e))
+          {
+            isOriented = false;
+          }
+        }
+      }
+    });
+  this->IsOriented = isOriented;
+  if (!this->IsEmpty())
+  {
+    this->Tracer = std::make_unique<RayTracer>(this->Points, this->Triangles);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HidingSurfaces::Append(const TriangleMesh& mesh, const Eigen::Matrix4d& toWorld)
+{
+  const Eigen::Matrix3d linear = toWorld.topLeftCorner<3, 3>();
+  const Eigen::Vector3d offset =
+    linear * mesh.GetOrigin() + toWorld.topRightCorner<3, 1>() - this->Centre;
+  const auto firstPoint = static_cast<Index>(this->Points.size());
+  const auto firstTriangle = static_cast<Index>(this->Triangles.size());
+  this->Points.resize(this->Points.size() + mesh.GetNumberOfPoints());
+  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto i = static_cast<Index>(begin); i < end; ++i)
+      {
+        this->Points[firstPoint + i] =
+          (linear * mesh.GetPoint(i).cast<double>() + offset).cast<float>();
+      }
+    });
+  this->Triangles.resize(this->Triangles.size() + mesh.GetNumberOfTriangles());
+  this->Neighbours.resize(this->Triangles.size());
+  vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto t = static_cast<Index>(begin); t < end; ++t)
+      {
+        for (int e = 0; e < 3; ++e)
+        {
+          const Index neighbour = mesh.GetNeighbour(t, e);
+          this->Triangles[firstTriangle + t][e] = firstPoint + mesh.GetTriangle(t)[e];
+          this->Neighbours[firstTriangle + t][e] =
+            neighbour < 0 ? neighbour : firstTriangle + neighbour;
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool HidingSurfaces::CompareOrientation(Index triangle, int edge) const
+{
+  // Of two triangles with the same side in front, one runs along their edge from its start to its
+  // end and the other back.
+  const Index from = this->Triangles[triangle][edge];
+  const Index to = this->Triangles[triangle][(edge + 1) % 3];
+  const TriangleMesh::Triangle& other = this->Triangles[this->Neighbours[triangle][edge]];
+  for (int e = 0; e < 3; ++e)
+  {
+    if (other[e] == to && other[(e + 1) % 3] == from)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+Eigen::Vector3d HidingSurfaces::GetAreaNormal(Index triangle) const
+{
+  const Eigen::Vector3d a = this->GetCorner(triangle, 0);
+  return (this->GetCorner(triangle, 1) - a).cross(this->GetCorner(triangle, 2) - a);
+}
+}
