@@ -50,7 +50,7 @@ double GetSquaredDistance(
 //------------------------------------------------------------------------------
 HidingLayers::HidingLayers(
   const HidingSurfaces& surfaces, const ImageProjection& projection, int most)
-  : Surfaces(surfaces), Projection(projection), Most(most)
+  : Surfaces(surfaces), Projection(projection), Most(most), OwnSlots(256, -1)
 {
 }
 
@@ -88,7 +88,7 @@ int HidingLayers::Count(const Vector& point, const Vector& normal)
 {
   this->Point = point;
   this->Normal = normal;
-  this->IsOwnKnown = false;
+  this->AreSourcesKnown = false;
   const Vector toEye = this->Projection.GetRayToEye(point);
   const double distance = toEye.norm();
   if (!(distance > 0.0))
@@ -153,19 +153,89 @@ int HidingLayers::CountCrossings()
 //------------------------------------------------------------------------------
 bool HidingLayers::IsOwn(Index triangle, double distance)
 {
-  if (!this->IsOwnKnown)
+  // Beyond this nothing is own, wherever the point lies.
+  const double gap = MostGapInPixels * this->PixelSize + this->Surfaces.GetTolerance();
+  if (distance > ReachInGaps * gap + ReachInSizes * this->Surfaces.GetLongestEdge())
   {
-    this->FindOwnSurface();
-    this->IsOwnKnown = true;
+    return false;
   }
-  for (const Step& step : this->Own)
+  if (!this->AreSourcesKnown)
   {
-    if (step.Triangle == triangle)
+    this->FindSources();
+    this->AreSourcesKnown = true;
+  }
+  const Index known = this->FindOwn(triangle);
+  if (known >= 0)
+  {
+    return this->Own[known].IsSource || distance <= this->Reach;
+  }
+  if (std::find(this->Touching.begin(), this->Touching.end(), triangle) != this->Touching.end())
+  {
+    return true;
+  }
+  if (distance > this->Reach)
+  {
+    return false;
+  }
+  while (this->NextStep < this->Own.size())
+  {
+    this->AddAround(this->NextStep++);
+    if (this->FindOwn(triangle) >= 0)
     {
-      return step.IsSource || distance <= this->Reach;
+      return true;
     }
   }
-  return std::find(this->Touching.begin(), this->Touching.end(), triangle) != this->Touching.end();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+HidingLayers::Index HidingLayers::FindOwn(Index triangle) const
+{
+  const std::size_t mask = this->OwnSlots.size() - 1;
+  for (std::size_t slot = triangle & mask;; slot = (slot + 1) & mask)
+  {
+    const Index place = this->OwnSlots[slot];
+    if (place < 0 || this->Own[place].Triangle == triangle)
+    {
+      return place;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void HidingLayers::AddOwn(const Step& step)
+{
+  const auto put = [this](std::size_t place)
+  {
+    const std::size_t mask = this->OwnSlots.size() - 1;
+    std::size_t slot = this->Own[place].Triangle & mask;
+    while (this->OwnSlots[slot] >= 0)
+    {
+      slot = (slot + 1) & mask;
+    }
+    this->OwnSlots[slot] = static_cast<Index>(place);
+  };
+  this->Own.push_back(step);
+  if (2 * this->Own.size() > this->OwnSlots.size())
+  {
+    this->OwnSlots.assign(2 * this->OwnSlots.size(), -1);
+    for (std::size_t place = 0; place + 1 < this->Own.size(); ++place)
+    {
+      put(place);
+    }
+  }
+  put(this->Own.size() - 1);
+}
+
+//------------------------------------------------------------------------------
+void HidingLayers::ClearOwn()
+{
+  if (!this->Own.empty())
+  {
+    std::fill(this->OwnSlots.begin(), this->OwnSlots.end(), -1);
+    this->Own.clear();
+  }
+  this->NextStep = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -202,9 +272,9 @@ bool HidingLayers::FindNearest()
 }
 
 //------------------------------------------------------------------------------
-void HidingLayers::FindOwnSurface()
+void HidingLayers::FindSources()
 {
-  this->Own.clear();
+  this->ClearOwn();
   this->Reach = 0.0;
   if (!this->FindNearest())
   {
@@ -220,50 +290,57 @@ void HidingLayers::FindOwnSurface()
     this->Reach = std::max({ this->Reach, ReachInSizes * this->GetSize(this->Nearest),
       ReachInPixels * this->PixelSize });
   }
-  this->Collect(2.0 * this->Gap + tolerance, this->Reach);
-}
-
-//------------------------------------------------------------------------------
-void HidingLayers::Collect(double sourceReach, double reach)
-{
-  const auto isKnown = [this](Index triangle)
-  {
-    return std::any_of(this->Own.begin(), this->Own.end(),
-      [triangle](const Step& step) { return step.Triangle == triangle; });
+  const auto add = [this](Index triangle) {
+    this->AddOwn({ triangle, this->Surfaces.GetAreaNormal(triangle).stableNormalized(), true });
   };
-  const auto getUnitNormal = [this](Index triangle)
-  { return this->Surfaces.GetAreaNormal(triangle).stableNormalized(); };
-  // First those that the point lies on, then from each of them as far as the surface goes on
-  // smoothly.
-  this->Own.push_back({ this->Nearest, getUnitNormal(this->Nearest), true });
-  for (const bool areSources : { true, false })
+  add(this->Nearest);
+  for (std::size_t i = 0; i < this->Own.size(); ++i)
   {
-    for (std::size_t i = 0; i < this->Own.size(); ++i)
+    for (int e = 0; e < 3; ++e)
     {
-      const Step step = this->Own[i];
-      for (int e = 0; e < 3; ++e)
+      const Index next = this->Surfaces.GetNeighbour(this->Own[i].Triangle, e);
+      if (next >= 0 && this->FindOwn(next) < 0 &&
+        this->GetDistance(next) <= 2.0 * this->Gap + tolerance)
       {
-        const Index next = this->Surfaces.GetNeighbour(step.Triangle, e);
-        if (next < 0 || isKnown(next) ||
-          this->GetDistance(next) > (areSources ? sourceReach : reach))
-        {
-          continue;
-        }
-        const Vector normal = getUnitNormal(next);
-        if (areSources)
-        {
-          this->Own.push_back({ next, normal, true });
-          continue;
-        }
-        const Vector turned =
-          this->Surfaces.IsAlike(step.Triangle, e) ? step.Normal : Vector(-step.Normal);
-        if (normal.dot(turned) >= LeastAgreement)
-        {
-          this->Own.push_back({ next, turned, false });
-        }
+        add(next);
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void HidingLayers::AddAround(std::size_t place)
+{
+  const Step step = this->Own[place];
+  for (int e = 0; e < 3; ++e)
+  {
+    const Index next = this->Surfaces.GetNeighbour(step.Triangle, e);
+    if (next < 0 || this->FindOwn(next) >= 0)
+    {
+      continue;
+    }
+    const Vector turned =
+      this->Surfaces.IsAlike(step.Triangle, e) ? step.Normal : Vector(-step.Normal);
+    const Vector normal = this->Surfaces.GetAreaNormal(next);
+    if (normal.dot(turned) >= LeastAgreement * normal.norm() && this->IsWithinReach(next))
+    {
+      this->AddOwn({ next, turned, false });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HidingLayers::IsWithinReach(Index triangle) const
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const Vector here = this->Surfaces.GetCorner(triangle, corner) - this->Point;
+    if (here.squaredNorm() <= this->Reach * this->Reach)
+    {
+      return true;
+    }
+  }
+  return this->GetDistance(triangle) <= this->Reach;
 }
 
 //------------------------------------------------------------------------------

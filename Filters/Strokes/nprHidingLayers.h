@@ -51,11 +51,19 @@ private:
 
   /// Whether a crossing is with the surface that the point lies on, near it.
   bool IsOwn(Index triangle, double distance);
-  void FindOwnSurface();
-  /// Sets the nearest triangle, the distance from it, and which triangles touch the point.
+  /// Begins the own surface with the triangles that the point lies on.
+  void FindSources();
+  /// Sets the nearest triangle, the distance from it, and which triangles touch the point. False if
+  /// it is too far for the point to be on the surface.
   bool FindNearest();
-  void Collect(double sourceReach, double reach);
+  /// The triangles beside one of the own surface that also belong to it.
+  void AddAround(std::size_t step);
+  void AddOwn(const Step& step);
+  /// The place of a triangle in Own, or -1.
+  Index FindOwn(Index triangle) const;
+  void ClearOwn();
   double GetDistance(Index triangle) const;
+  bool IsWithinReach(Index triangle) const;
   bool IsInside(Index triangle) const;
   double GetSize(Index triangle) const;
   int CountCrossings();
@@ -69,15 +77,17 @@ private:
   Vector Normal;
   Vector ToEye; // unit
   double PixelSize = 0.0;
-  bool IsOwnKnown = false;
+  bool AreSourcesKnown = false;
   Index Nearest = -1;
   double Gap = 0.0;   // distance from the nearest triangle
   double Reach = 0.0; // how far the own surface hides nothing
   std::vector<Index> Touching;
+  // Grows step by step, from the sources outwards, no farther than crossings are to be found in it.
   std::vector<Step> Own;
+  std::size_t NextStep = 0;
+  std::vector<Index> OwnSlots; // places in Own by the triangle, or -1
 
   std::vector<Crossing> Crossings;
-  double LargestSize = 0.0;
 };
 }
 

@@ -9,13 +9,13 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 #include <vtkTriangleFilter.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -94,37 +94,54 @@ HidingSurfaces::HidingSurfaces(const std::vector<Surface>& surfaces)
   }
   this->Points.emplace_back(Eigen::Vector3f::Zero());
 
-  double squared = 0.0;
-  std::atomic<bool> isOriented{ true };
-  for (const TriangleMesh::Triangle& triangle : this->Triangles)
-  {
-    for (const Index corner : triangle)
-    {
-      squared = std::max(squared, static_cast<double>(this->Points[corner].squaredNorm()));
-    }
-  }
-  this->Radius = std::sqrt(squared);
-  constexpr double manyRoundings = 1e-5;
-  this->Tolerance = manyRoundings * this->Radius;
-  vtkSMPTools::For(0, this->GetNumberOfTriangles(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto t = static_cast<Index>(begin); t < end && isOriented; ++t)
-      {
-        for (int e = 0; e < 3; ++e)
-        {
-          if (this->GetNeighbour(t, e) > t && !this->CompareOrientation(t, e))
-          {
-            isOriented = false;
-          }
-        }
-      }
-    });
-  this->IsOriented = isOriented;
+  this->Measure();
   if (!this->IsEmpty())
   {
     this->Tracer = std::make_unique<RayTracer>(this->Points, this->Triangles);
   }
+}
+
+//------------------------------------------------------------------------------
+void HidingSurfaces::Measure()
+{
+  struct Local
+  {
+    float SquaredRadius = 0.0f;
+    float SquaredEdge = 0.0f;
+    bool IsOriented = true;
+  };
+  vtkSMPThreadLocal<Local> locals;
+  vtkSMPTools::For(0, this->GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Local& local = locals.Local();
+      for (auto t = static_cast<Index>(begin); t < end; ++t)
+      {
+        for (int e = 0; e < 3; ++e)
+        {
+          const Eigen::Vector3f& from = this->Points[this->Triangles[t][e]];
+          const Eigen::Vector3f& to = this->Points[this->Triangles[t][(e + 1) % 3]];
+          local.SquaredRadius = std::max(local.SquaredRadius, from.squaredNorm());
+          local.SquaredEdge = std::max(local.SquaredEdge, (to - from).squaredNorm());
+          if (this->GetNeighbour(t, e) > t && !this->CompareOrientation(t, e))
+          {
+            local.IsOriented = false;
+          }
+        }
+      }
+    });
+  Local all;
+  for (const Local& local : locals)
+  {
+    all.SquaredRadius = std::max(all.SquaredRadius, local.SquaredRadius);
+    all.SquaredEdge = std::max(all.SquaredEdge, local.SquaredEdge);
+    all.IsOriented = all.IsOriented && local.IsOriented;
+  }
+  constexpr double manyRoundings = 1e-5;
+  this->Radius = std::sqrt(all.SquaredRadius);
+  this->Tolerance = manyRoundings * this->Radius;
+  this->LongestEdge = std::sqrt(all.SquaredEdge);
+  this->IsOriented = all.IsOriented;
 }
 
 //------------------------------------------------------------------------------

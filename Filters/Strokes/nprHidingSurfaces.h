@@ -64,12 +64,14 @@ public:
   const Eigen::Vector3d& GetCentre() const { return this->Centre; }
   /// How far apart places can be that single precision does not tell apart, with some margin.
   double GetTolerance() const { return this->Tolerance; }
+  double GetLongestEdge() const { return this->LongestEdge; }
   /// The farthest that a point is from the centre.
   double GetRadius() const { return this->Radius; }
 
 private:
   void Append(const TriangleMesh& mesh, const Eigen::Matrix4d& toWorld);
   bool CompareOrientation(Index triangle, int edge) const;
+  void Measure();
 
   std::vector<Eigen::Vector3f> Points; // and one more, for the tracer
   std::vector<TriangleMesh::Triangle> Triangles;
@@ -77,6 +79,7 @@ private:
   Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
   double Radius = 0.0;
   double Tolerance = 0.0;
+  double LongestEdge = 0.0;
   bool IsOriented = true;
   std::unique_ptr<RayTracer> Tracer;
 };
