@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprHidingEdges.h"
 
+#include "nprHidingLayers.h"
+
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -32,19 +34,30 @@ HidingEdges::HidingEdges(const HidingSurfaces& surfaces, const ImageProjection& 
 void HidingEdges::FindEdges(const HidingSurfaces& surfaces)
 {
   const vtkIdType numberOfTriangles = surfaces.GetNumberOfTriangles();
-  std::vector<unsigned char> isInFront(numberOfTriangles);
+  enum : unsigned char
+  {
+    Back = 0,
+    Front = 1,
+    FrontBit = 1,
+    EdgeOnBit = 2
+  };
+  std::vector<unsigned char> sides(numberOfTriangles);
   vtkSMPTools::For(0, numberOfTriangles,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto t = static_cast<Index>(begin); t < end; ++t)
       {
-        isInFront[t] = surfaces.GetAreaNormal(t).dot(
-                         this->Projection.GetRayToEye(surfaces.GetCorner(t, 0))) > 0.0;
+        const Eigen::Vector3d toEye = this->Projection.GetRayToEye(surfaces.GetCorner(t, 0));
+        const Eigen::Vector3d normal = surfaces.GetAreaNormal(t);
+        const double product = normal.dot(toEye);
+        const bool isEdgeOn = product * product <=
+          ExactlyEdgeOn * ExactlyEdgeOn * normal.squaredNorm() * toEye.squaredNorm();
+        sides[t] = (product > 0.0 ? Front : Back) | (isEdgeOn ? EdgeOnBit : 0);
       }
     });
   // Parts of a fixed size, so that the order of the edges does not depend on the threads.
   constexpr vtkIdType partSize = 16384;
-  std::vector<std::vector<Edge>> parts((numberOfTriangles + partSize - 1) / partSize);
+  std::vector<Part> parts((numberOfTriangles + partSize - 1) / partSize);
   vtkSMPTools::For(0, static_cast<vtkIdType>(parts.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -57,23 +70,23 @@ void HidingEdges::FindEdges(const HidingSurfaces& surfaces)
           {
             const Index other = surfaces.GetNeighbour(t, e);
             if (other < 0 ||
-              (other > t && (isInFront[t] == isInFront[other]) != surfaces.IsAlike(t, e)))
+              (other > t &&
+                ((sides[t] ^ sides[other]) & FrontBit) == (surfaces.IsAlike(t, e) ? 1 : 0)))
             {
-              this->AddEdge(surfaces, t, e, parts[part]);
+              this->AddEdge(surfaces, t, e, parts[part].Edges);
+            }
+            if (sides[t] & EdgeOnBit)
+            {
+              this->AddEdge(surfaces, t, e, parts[part].EdgeOn);
             }
           }
         }
       }
     });
-  std::size_t size = 0;
-  for (const std::vector<Edge>& part : parts)
+  for (const Part& part : parts)
   {
-    size += part.size();
-  }
-  this->Edges.reserve(size);
-  for (const std::vector<Edge>& part : parts)
-  {
-    this->Edges.insert(this->Edges.end(), part.begin(), part.end());
+    this->Edges.insert(this->Edges.end(), part.Edges.begin(), part.Edges.end());
+    this->EdgeOn.insert(this->EdgeOn.end(), part.EdgeOn.begin(), part.EdgeOn.end());
   }
 }
 
@@ -191,6 +204,25 @@ void HidingEdges::FillGrid()
     this->VisitCells(this->Edges[edge].From.Pixel, this->Edges[edge].To.Pixel,
       [&](std::size_t cell) { this->Entries[next[cell]++] = static_cast<std::uint32_t>(edge); });
   }
+  this->IsEdgeOn.assign(numberOfCells, 0);
+  for (const Edge& edge : this->EdgeOn)
+  {
+    this->VisitCells(
+      edge.From.Pixel, edge.To.Pixel, [this](std::size_t cell) { this->IsEdgeOn[cell] = 1; });
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HidingEdges::MayBeEdgeOn(
+  const ImageProjection::Place& from, const ImageProjection::Place& to) const
+{
+  bool mayBe = false;
+  if (!this->EdgeOn.empty())
+  {
+    this->VisitCells(
+      from.Pixel, to.Pixel, [&](std::size_t cell) { mayBe = mayBe || this->IsEdgeOn[cell] != 0; });
+  }
+  return mayBe;
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,9 @@ public:
   void FindCrossings(const ImageProjection::Place& from, const ImageProjection::Place& to,
     std::vector<double>& places) const;
 
+  /// Whether a triangle that is seen exactly edge-on may be where the segment is in the image.
+  bool MayBeEdgeOn(const ImageProjection::Place& from, const ImageProjection::Place& to) const;
+
 private:
   using Index = TriangleMesh::Index;
   struct Edge
@@ -43,6 +46,12 @@ private:
     ImageProjection::Place To;
   };
 
+  /// The edges of one part of the triangles.
+  struct Part
+  {
+    std::vector<Edge> Edges;
+    std::vector<Edge> EdgeOn; // all those of triangles that are seen edge-on
+  };
   void FindEdges(const HidingSurfaces& surfaces);
   void AddEdge(const HidingSurfaces& surfaces, Index triangle, int edge, std::vector<Edge>& edges);
   void FillGrid();
@@ -56,10 +65,12 @@ private:
   const ImageProjection& Projection;
   Eigen::AlignedBox2d Bounds;
   std::vector<Edge> Edges;
+  std::vector<Edge> EdgeOn;
   std::array<int, 2> Size = { 1, 1 };
   double CellSize = 1.0;
-  std::vector<std::uint32_t> Offsets; // of each cell among the entries
-  std::vector<std::uint32_t> Entries; // edges
+  std::vector<std::uint32_t> Offsets;  // of each cell among the entries
+  std::vector<std::uint32_t> Entries;  // edges
+  std::vector<unsigned char> IsEdgeOn; // cells
 };
 }
 

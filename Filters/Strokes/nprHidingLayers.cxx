@@ -16,11 +16,13 @@ namespace
 constexpr double SeenEdgeOn = 0.25;  // cosine between the normal and the direction to the eye
 constexpr double ReachInSizes = 4.0; // of the triangle
 constexpr double ReachInPixels = 2.0;
-constexpr double ReachInGaps = 5.0;    // of the point from the surface
-constexpr double LeastAgreement = 0.5; // cosine between two normals
+constexpr double ReachInGaps = 5.0; // of the point from the surface
+constexpr double OnEdgeInTolerances = 0.1;
+constexpr double LeastAgreement = 0.1; // cosine between two normals
 constexpr double GapInSizes = 0.1;     // that a point of the surface may have
 constexpr double LeastGapInPixels = 0.5;
 constexpr double MostGapInPixels = 4.0;
+constexpr double SideInTolerances = 4.0; // from a surface that is seen edge-on
 
 /// Squared distance of the origin from a segment.
 double GetSquaredDistance(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
@@ -71,11 +73,13 @@ double HidingLayers::GetDistance(Index triangle) const
 //------------------------------------------------------------------------------
 bool HidingLayers::IsInside(Index triangle) const
 {
+  // Few pieces of lines inside of triangles are so near to an edge.
+  const double tolerance = OnEdgeInTolerances * this->Surfaces.GetTolerance();
   for (int e = 0; e < 3; ++e)
   {
     const double squared = GetSquaredDistance(this->Surfaces.GetCorner(triangle, e) - this->Point,
       this->Surfaces.GetCorner(triangle, (e + 1) % 3) - this->Point);
-    if (squared <= this->Surfaces.GetTolerance() * this->Surfaces.GetTolerance())
+    if (squared <= tolerance * tolerance)
     {
       return false;
     }
@@ -84,7 +88,53 @@ bool HidingLayers::IsInside(Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-int HidingLayers::Count(const Vector& point, const Vector& normal)
+int HidingLayers::Count(const Vector& point, const Vector& normal, bool mayBeEdgeOn)
+{
+  const int layers = this->CountAt(point, normal);
+  if (!mayBeEdgeOn)
+  {
+    return layers;
+  }
+  const Vector aside = SideInTolerances * this->Surfaces.GetTolerance() * this->FindEdgeOnNormal();
+  return aside.squaredNorm() > 0.0
+    ? std::min(this->CountAt(point - aside, normal), this->CountAt(point + aside, normal))
+    : layers;
+}
+
+//------------------------------------------------------------------------------
+HidingLayers::Vector HidingLayers::FindEdgeOnNormal()
+{
+  if (!this->AreSourcesKnown)
+  {
+    this->FindSources();
+  }
+  Index first = this->Surfaces.GetNumberOfTriangles();
+  Vector found = Vector::Zero();
+  const auto look = [&](Index triangle)
+  {
+    const Vector normal = this->Surfaces.GetAreaNormal(triangle).stableNormalized();
+    if (triangle < first && std::abs(normal.dot(this->ToEye)) <= ExactlyEdgeOn)
+    {
+      first = triangle;
+      found = normal;
+    }
+  };
+  for (const Step& step : this->Own)
+  {
+    if (step.IsSource)
+    {
+      look(step.Triangle);
+    }
+  }
+  for (const Index triangle : this->Touching)
+  {
+    look(triangle);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+int HidingLayers::CountAt(const Vector& point, const Vector& normal)
 {
   this->Point = point;
   this->Normal = normal;
@@ -162,7 +212,6 @@ bool HidingLayers::IsOwn(Index triangle, double distance)
   if (!this->AreSourcesKnown)
   {
     this->FindSources();
-    this->AreSourcesKnown = true;
   }
   const Index known = this->FindOwn(triangle);
   if (known >= 0)
@@ -274,6 +323,7 @@ bool HidingLayers::FindNearest()
 //------------------------------------------------------------------------------
 void HidingLayers::FindSources()
 {
+  this->AreSourcesKnown = true;
   this->ClearOwn();
   this->Reach = 0.0;
   if (!this->FindNearest())

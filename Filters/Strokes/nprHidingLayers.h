@@ -12,6 +12,10 @@
 
 namespace npr
 {
+/// The cosine between its normal and the direction to the eye, up to which a triangle is seen
+/// exactly edge-on.
+inline constexpr double ExactlyEdgeOn = 1e-4;
+
 /**
  * @class HidingLayers
  * @brief Counts how many layers of surface are between a point and the eye, by the rule that
@@ -29,8 +33,9 @@ public:
   /// No more than \p most layers are counted; 1 ends each ray at the first.
   HidingLayers(const HidingSurfaces& surfaces, const ImageProjection& projection, int most);
 
-  /// \p normal of the smooth surface that the point lies on, or zero where that is not known.
-  int Count(const Vector& point, const Vector& normal);
+  /// \p normal of the smooth surface that the point lies on, or zero where that is not known;
+  /// \p mayBeEdgeOn false if the point surely lies on no triangle that is seen exactly edge-on.
+  int Count(const Vector& point, const Vector& normal, bool mayBeEdgeOn);
 
   /// Adds the places, in ]0, 1[, where a segment goes through a surface.
   void FindPiercings(const Vector& from, const Vector& to, std::vector<double>& places) const;
@@ -49,6 +54,9 @@ private:
     bool IsSource;
   };
 
+  int CountAt(const Vector& point, const Vector& normal);
+  /// Unit normal of a triangle that the point lies on and that is seen exactly edge-on, or zero.
+  Vector FindEdgeOnNormal();
   /// Whether a crossing is with the surface that the point lies on, near it.
   bool IsOwn(Index triangle, double distance);
   /// Begins the own surface with the triangles that the point lies on.

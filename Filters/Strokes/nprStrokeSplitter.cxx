@@ -206,7 +206,7 @@ void StrokeSplitter::Append(int layers, double begin, double end, double length)
 }
 
 //------------------------------------------------------------------------------
-int StrokeSplitter::CountLayers(std::size_t segment, double place)
+int StrokeSplitter::CountLayers(std::size_t segment, double place, bool mayBeEdgeOn)
 {
   if (this->Surfaces.IsEmpty())
   {
@@ -219,7 +219,7 @@ int StrokeSplitter::CountLayers(std::size_t segment, double place)
   {
     normal.setZero();
   }
-  return this->Layers.Count(mix(*this->Points), normal);
+  return this->Layers.Count(mix(*this->Points), normal, mayBeEdgeOn);
 }
 
 //------------------------------------------------------------------------------
@@ -267,6 +267,7 @@ void StrokeSplitter::SplitSegment(std::size_t segment)
     std::sort(this->Places.begin(), this->Places.end());
   }
   this->Places.push_back(1.0);
+  const bool mayBeEdgeOn = this->Edges.MayBeEdgeOn(begin, end);
 
   if (first > 0.0)
   {
@@ -292,8 +293,8 @@ void StrokeSplitter::SplitSegment(std::size_t segment)
     }
     else
     {
-      this->Append(
-        this->CountLayers(segment, 0.5 * (before + place)), start + before, start + place, length);
+      this->Append(this->CountLayers(segment, 0.5 * (before + place), mayBeEdgeOn), start + before,
+        start + place, length);
       this->Unseen = 0.0;
     }
     before = place;

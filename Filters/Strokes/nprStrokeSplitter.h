@@ -56,7 +56,7 @@ public:
 private:
   void SplitSegment(std::size_t segment);
   void Append(int layers, double begin, double end, double length);
-  int CountLayers(std::size_t segment, double place);
+  int CountLayers(std::size_t segment, double place, bool mayBeEdgeOn);
 
   const HidingSurfaces& Surfaces;
   const HidingEdges& Edges;

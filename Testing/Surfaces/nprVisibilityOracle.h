@@ -104,7 +104,7 @@ public:
         bounds.extend(this->Seen[corner].head<2>());
       }
       this->VisitCells(
-        bounds, [&](std::vector<int>& cell) { cell.push_back(static_cast<int>(t)); });
+        bounds, [&](std::size_t cell) { this->Cells[cell].push_back(static_cast<int>(t)); });
     }
   }
 
@@ -120,6 +120,22 @@ public:
   /// \p normal of the smooth surface in the world, or zero.
   int CountLayers(const Vector& point, const Vector& normal)
   {
+    Vector edgeOn = Vector::Zero();
+    int layers = this->CountLayersAt(point, normal, edgeOn);
+    if (edgeOn.squaredNorm() > 0.0)
+    {
+      const Vector aside = 4e-5 * this->Radius * edgeOn.normalized();
+      Vector ignored;
+      layers = std::min(this->CountLayersAt(point + aside, normal, ignored),
+        this->CountLayersAt(point - aside, normal, ignored));
+    }
+    return layers;
+  }
+
+private:
+  /// Also the normal of a triangle that is seen edge-on under the point, where there is one.
+  int CountLayersAt(const Vector& point, const Vector& normal, Vector& edgeOn) const
+  {
     const Vector seen = this->See(point);
     const Eigen::Vector2d pixel = seen.head<2>();
     // How far it is to the eye for each unit of depth.
@@ -128,9 +144,9 @@ public:
     const double touching = 1e-5 * this->Radius;
     std::vector<std::pair<double, int>> hits;
     this->VisitCells(Eigen::AlignedBox2d(pixel, pixel),
-      [&](const std::vector<int>& cell)
+      [&](std::size_t cell)
       {
-        for (const int t : cell)
+        for (const int t : this->Cells[cell])
         {
           const double depth = this->GetDepthAt(t, pixel);
           const double distance = slope * (seen.z() - depth);
@@ -140,11 +156,17 @@ public:
           }
         }
       });
-    if (hits.empty())
-    {
-      return 0;
-    }
     const OwnSurface own = this->FindOwnSurface(point, seen, normal, touching);
+    const Vector toEye = this->GetDirectionToEye(point);
+    for (const int source : own.Sources)
+    {
+      const Vector area = this->GetAreaNormal(source);
+      if (std::abs(area.dot(toEye)) <= 1e-4 * area.norm())
+      {
+        edgeOn = area;
+        break;
+      }
+    }
     return static_cast<int>(std::count_if(hits.begin(), hits.end(),
       [&](const std::pair<double, int>& hit)
       {
@@ -153,7 +175,6 @@ public:
       }));
   }
 
-private:
   struct OwnSurface
   {
     std::set<int> Sources;
@@ -163,7 +184,7 @@ private:
   static constexpr double CellSize = 3.0;
 
   template<typename Visitor>
-  void VisitCells(const Eigen::AlignedBox2d& box, const Visitor& visit)
+  void VisitCells(const Eigen::AlignedBox2d& box, const Visitor& visit) const
   {
     const auto place = [](double x, double low)
     { return static_cast<int>(std::floor((x - low) / CellSize)); };
@@ -173,7 +194,7 @@ private:
     {
       for (int x = std::max(0, place(box.min().x(), this->Low.x())); x <= right; ++x)
       {
-        visit(this->Cells[static_cast<std::size_t>(y) * this->Columns + x]);
+        visit(static_cast<std::size_t>(y) * this->Columns + x);
       }
     }
   }
@@ -205,6 +226,13 @@ private:
       depth += areas[i] / sum * (this->IsParallel ? depths[i] : 1.0 / depths[i]);
     }
     return this->IsParallel ? depth : 1.0 / depth;
+  }
+
+  Vector GetDirectionToEye(const Vector& point) const
+  {
+    const Eigen::Matrix3d turn = this->ToView.topLeftCorner<3, 3>();
+    const Vector seen = (this->ToView * point.homogeneous()).head<3>();
+    return this->IsParallel ? Vector(turn.row(2)) : Vector(-(turn.transpose() * seen).normalized());
   }
 
   Vector GetAreaNormal(int triangle) const
@@ -271,7 +299,7 @@ private:
   }
 
   OwnSurface FindOwnSurface(
-    const Vector& point, const Vector& seen, const Vector& normal, double touching)
+    const Vector& point, const Vector& seen, const Vector& normal, double touching) const
   {
     OwnSurface own;
     const double pixelSize = (this->IsParallel ? 1.0 : seen.z()) / this->Scale;
@@ -280,9 +308,9 @@ private:
     double gap = farthest;
     int nearest = -1;
     this->VisitCells(Eigen::AlignedBox2d(seen.head<2>() - around, seen.head<2>() + around),
-      [&](const std::vector<int>& cell)
+      [&](std::size_t cell)
       {
-        for (const int t : cell)
+        for (const int t : this->Cells[cell])
         {
           const double distance = this->GetDistance(point, t);
           if (distance < gap || (distance == gap && t < nearest))
@@ -307,12 +335,10 @@ private:
       return own;
     }
     own.Reach = 5.0 * gap;
-    const Vector toEye = this->IsParallel ? Vector(this->ToView.row(2).head<3>().transpose())
-                                          : Vector(this->ToView.topLeftCorner<3, 3>().transpose() *
-                                              -(this->ToView * point.homogeneous()).head<3>());
+    const Vector toEye = this->GetDirectionToEye(point);
     const Vector& n = normal.squaredNorm() > 0.0 ? normal : area;
-    if (std::abs(n.normalized().dot(toEye.normalized())) <= 0.25 &&
-      this->GetDistanceFromBorder(point, nearest) > touching)
+    if (std::abs(n.normalized().dot(toEye)) <= 0.25 &&
+      this->GetDistanceFromBorder(point, nearest) > 0.1 * touching)
     {
       own.Reach = std::max({ own.Reach, 4.0 * size, 2.0 * pixelSize });
     }
@@ -346,7 +372,7 @@ private:
         }
         const Vector reference = this->RunTheSameWay(queue[i], next) ? Vector(-own.Around[queue[i]])
                                                                      : own.Around[queue[i]];
-        if (this->GetAreaNormal(next).normalized().dot(reference) >= 0.5)
+        if (this->GetAreaNormal(next).normalized().dot(reference) >= 0.1)
         {
           own.Around[next] = reference;
           queue.push_back(next);
