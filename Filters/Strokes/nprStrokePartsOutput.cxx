@@ -66,31 +66,38 @@ public:
   /// The points of a part, from its first cut to its last.
   std::vector<Sample> GetSamples(const StrokePart& part) const
   {
-    std::vector<Sample> samples;
-    samples.push_back(this->GetSample(part.Begin));
-    for (double place = std::floor(part.Begin) + 1.0; place < part.End; place += 1.0)
+    std::vector<Sample> samples = { this->GetSample(part.Begin, 0.0) };
+    double place = part.Begin;
+    double turn = 0.0;
+    if (part.IsOverFirstPoint())
     {
-      samples.push_back(this->GetSample(place));
+      this->AddSamples(place, static_cast<double>(this->ArcLengths.size() - 1), 0.0, samples);
+      place = 0.0;
+      turn = this->ArcLengths.back() - this->ArcLengths.front();
     }
-    samples.push_back(this->GetSample(part.End));
+    this->AddSamples(place, part.End, turn, samples);
     return samples;
   }
 
 private:
-  Sample GetSample(double place) const
+  /// Those after the one place up to the other.
+  void AddSamples(double begin, double end, double turn, std::vector<Sample>& samples) const
   {
-    // Beyond the last point, which is the first again.
-    const auto last = static_cast<double>(this->ArcLengths.size() - 1);
-    const bool isBeyond = place > last;
-    const double here = isBeyond ? place - last : place;
-    const auto before = static_cast<vtkIdType>(std::floor(here));
-    const double t = here - static_cast<double>(before);
+    for (double place = std::floor(begin) + 1.0; place < end; place += 1.0)
+    {
+      samples.push_back(this->GetSample(place, turn));
+    }
+    samples.push_back(this->GetSample(end, turn));
+  }
+
+  /// \p turn is added to the distance.
+  Sample GetSample(double place, double turn) const
+  {
+    const auto before = static_cast<vtkIdType>(std::floor(place));
+    const double t = place - static_cast<double>(before);
     const vtkIdType after = t > 0.0 ? before + 1 : before;
-    const double arcLength =
-      this->ArcLengths[before] + t * (this->ArcLengths[after] - this->ArcLengths[before]);
-    const double turn = this->ArcLengths.back() - this->ArcLengths.front();
     return { this->Ids->GetId(before), this->Ids->GetId(after), t,
-      arcLength + (isBeyond ? turn : 0.0) };
+      this->ArcLengths[before] + t * (this->ArcLengths[after] - this->ArcLengths[before]) + turn };
   }
 
   vtkNew<vtkIdList> Ids;

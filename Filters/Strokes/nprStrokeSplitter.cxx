@@ -156,14 +156,10 @@ std::vector<StrokePart> MergeParts(
   }
   merger.MergeShorterThan(least);
   std::vector<StrokePart> merged = merger.GetParts();
-  for (StrokePart& part : merged)
-  {
-    // A ring that is all alike begins where it did.
-    part.Begin = merged.size() == 1 ? 0.0 : part.Begin;
-    part.End += isClosed && part.End <= part.Begin ? static_cast<double>(size) : 0.0;
-  }
   if (merged.size() == 1)
   {
+    // A ring that is all alike begins where it did.
+    merged[0].Begin = 0.0;
     merged[0].End = static_cast<double>(size);
   }
   return merged;

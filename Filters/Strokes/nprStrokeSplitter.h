@@ -16,8 +16,8 @@
 namespace npr
 {
 /// A stretch of a stroke with one number of layers. Places on a stroke are the number of a point
-/// and what part of the way to the next has been gone. On a closed stroke an end beyond its last
-/// point has gone on from its first.
+/// and what part of the way to the next has been gone. On a closed stroke a part that does not end
+/// after its begin goes over the first point.
 struct StrokePart
 {
   /// The number of layers of what is not in the image: behind the eye, or no number.
@@ -27,6 +27,8 @@ struct StrokePart
   double Begin = 0.0;
   double End = 0.0;
   double Length = 0.0; // in the image, in pixels
+
+  bool IsOverFirstPoint() const { return this->End <= this->Begin; }
 };
 
 /// Parts shorter than \p least become part of their neighbours: the shortest first, if both
