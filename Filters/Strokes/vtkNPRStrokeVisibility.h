@@ -128,7 +128,7 @@ public:
 
   ///@{
   /// Parts that look shorter than this are made part of their neighbours. In pixels, range
-  /// [0, 1e6]. Default is 1; 0 keeps all.
+  /// [0, 1e6]. Default is 0.5; 0 keeps all.
   vtkSetClampMacro(MinimumLength, double, 0.0, 1e6);
   vtkGetMacro(MinimumLength, double);
   ///@}
@@ -167,7 +167,7 @@ private:
   vtkSmartPointer<vtkMatrix4x4> StrokeMatrix;
   int MaximumLayers = VTK_INT_MAX;
   double ViewportHeight = 1000.0;
-  double MinimumLength = 1.0;
+  double MinimumLength = 0.5;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -3,8 +3,8 @@
 /**
  * How much of the lines of a model is labelled visible or hidden wrongly, and what that costs:
  *
- *   nprVisibilityBenchmark [MODEL...] [--views N] [--runs N] [--jets] [--splines] [--keep-short]
- *                          [--no-oracle]
+ *   nprVisibilityBenchmark [MODEL...] [--views N] [--runs N] [--jets] [--splines] [--no-oracle]
+ *                          [--minimum PIXELS]
  *
  * Several models are one scene: each is scaled to the same size and put on a circle by a matrix of
  * its own, so that they hide one another. Without any the built-in sample is taken. Drawn are
@@ -17,8 +17,8 @@
  * many visible parts are shorter than 5 pixels (and how many strokes were); seconds for a view with
  * the surfaces prepared anew, for a new view, and for one that only tells visible from hidden, the
  * least of several runs (--runs; 3) with two threads. What is right is said by
- * nprtest::VisibilityOracle, every quarter of a pixel along the strokes. --keep-short merges no
- * short parts.
+ * nprtest::VisibilityOracle, every quarter of a pixel along the strokes. --minimum is the
+ * length of the shortest parts that are kept; 0 keeps all.
  */
 #include "nprArrayNames.h"
 #include "nprBenchmarkCost.h"
@@ -56,7 +56,7 @@ struct Arguments
   int Runs = 3;
   bool Jets = false;
   bool Splines = false;
-  bool KeepShort = false;
+  double Minimum = -1.0; // the filter's own
   bool NoOracle = false;
 
   bool Read(int argc, char* argv[])
@@ -71,12 +71,16 @@ struct Arguments
       {
         this->Views = std::max(1, std::atoi(argv[++i]));
       }
+      else if (argument == "--minimum" && hasValue)
+      {
+        this->Minimum = std::atof(argv[++i]);
+      }
       else if (argument == "--runs" && hasValue)
       {
         this->Runs = std::max(1, std::atoi(argv[++i]));
       }
       else if (is("--jets", this->Jets) || is("--splines", this->Splines) ||
-        is("--keep-short", this->KeepShort) || is("--no-oracle", this->NoOracle))
+        is("--no-oracle", this->NoOracle))
       {
         continue;
       }
@@ -304,7 +308,7 @@ void PrintRow(const char* name, const Row& row)
 }
 
 vtkSmartPointer<vtkNPRStrokeVisibility> MakeFilter(
-  const Actors& actors, vtkPolyData* strokes, vtkCamera* camera, bool keepShort)
+  const Actors& actors, vtkPolyData* strokes, vtkCamera* camera, double minimum)
 {
   auto filter = vtkSmartPointer<vtkNPRStrokeVisibility>::New();
   filter->SetInputData(strokes);
@@ -314,7 +318,7 @@ vtkSmartPointer<vtkNPRStrokeVisibility> MakeFilter(
   }
   filter->SetCamera(camera);
   filter->SetViewportHeight(Height);
-  filter->SetMinimumLength(keepShort ? 0.0 : filter->GetMinimumLength());
+  filter->SetMinimumLength(minimum < 0.0 ? filter->GetMinimumLength() : minimum);
   return filter;
 }
 
@@ -337,7 +341,7 @@ int main(int argc, char* argv[])
   {
     std::fprintf(stderr,
       "usage: nprVisibilityBenchmark [MODEL...] [--views N] [--runs N] [--jets] [--splines]\n"
-      "                              [--keep-short] [--no-oracle]\n");
+      "                              [--no-oracle] [--minimum PIXELS]\n");
     return EXIT_FAILURE;
   }
   if (arguments.Models.empty())
@@ -390,15 +394,15 @@ int main(int argc, char* argv[])
     {
       ForgetPeak();
       const double before = ReadMegabytes("VmRSS");
-      MakeFilter(actors, strokes, camera, arguments.KeepShort)->Update();
+      MakeFilter(actors, strokes, camera, arguments.Minimum)->Update();
       megabytes = ReadMegabytes("VmHWM") - before;
-      kept = MakeFilter(actors, strokes, camera, arguments.KeepShort);
+      kept = MakeFilter(actors, strokes, camera, arguments.Minimum);
       kept->Update();
     }
     row.First = Measure(arguments.Runs,
       [&]()
       {
-        filter = MakeFilter(actors, strokes, camera, arguments.KeepShort);
+        filter = MakeFilter(actors, strokes, camera, arguments.Minimum);
         filter->Update();
       }).Wall;
     if (view == 0)
