@@ -13,8 +13,9 @@
  * The number of hiding layers of a point is how often the straight way from it to the eye (with a
  * parallel projection: from it on, against the direction of projection) goes through a surface. To
  * enter a solid and to leave it are two layers; a way through an edge or a corner of the mesh is
- * one. Where surfaces just touch the point they are no layer, and what hides only from behind the
- * eye is none. Clipping planes do not count.
+ * one. Where surfaces just touch the point (they are no farther than 1e-5 of the radius of all
+ * surfaces together) they are no layer, and what is behind the eye is none. Clipping planes do not
+ * count.
  *
  * @par The surface that a stroke lies on
  * A point lies on the triangle nearest to it if that is within 0.1 of the triangle's size (the root
@@ -23,24 +24,26 @@
  * On a smooth surface more are none: a contour is where the interpolated normals are at right
  * angles to the view, so it may run over triangles that turn away, just behind the edge of the
  * polyhedron. Such are ways within the reach of the point, through triangles that are connected
- * with the nearest one by edges, over triangles within reach whose normals turn less than 60
- * degrees from its own. The reach is 5 times the distance from the surface; and where the stroke
- * runs inside a triangle (not along edges, as creases and contour edges do) and the surface is seen
- * nearly edge-on (the cosine between its normal and the view is no more than 0.25; the normal is
- * the stroke's point array Normals, or else the triangle's), it is at least 4 sizes of the triangle
- * and at least 2 pixels. So the two sides of a wall are never taken for one, however thin it is. A point
- * on a triangle that is seen exactly edge-on (the cosine is no more than 1e-4), as in views along an
- * axis of a machine part, has the lesser number of layers of the two sides of that triangle.
+ * with the nearest one by edges, over triangles within reach whose normals turn less than 84
+ * degrees from its own (the cosine is at least 0.1). The reach is 5 times the distance from the
+ * surface; and where the stroke runs inside a triangle (farther from its edges than 1e-6 of the
+ * radius, other than creases and contour edges) and the surface is seen nearly edge-on (the cosine
+ * between its normal and the view is no more than 0.25; the normal is the stroke's point array
+ * Normals, or else the triangle's), it is at least 4 sizes of the triangle and at least 2 pixels.
+ * So the two sides of a wall are never taken for one, however thin it is. A point on a triangle
+ * that is seen exactly edge-on (the cosine is no more than 1e-4), as in views along an axis of a
+ * machine part, has the lesser number of layers of the two sides of that triangle.
  *
  * @par Where strokes are cut
  * The number of layers changes only where a contour edge or a border of a surface is in front of
  * the stroke, where the stroke goes through a surface, and where it comes to another triangle of
  * its own surface (A. Appel, "The notion of quantitative invisibility and the machine rendering of
  * solids", 1967). Strokes are cut there, by intersecting projected edges, and one ray is traced for
- * each piece: long straight lines cost no more than short ones, and nothing is too narrow to hide
- * them. Then pieces that are alike are put together, and parts shorter than MinimumLength become
- * part of their neighbours: the shortest first, if both neighbours are alike with both, else with
- * the longer one.
+ * each piece (for short ones, when 0.02 pixels have come together): long straight lines cost no
+ * more than short ones, and nothing is too narrow to hide them. Beyond 4 heights of the image from
+ * its middle cuts may be missing. Then pieces that are alike are put together, and parts shorter
+ * than MinimumLength become part of their neighbours: the shortest first, if both neighbours are
+ * alike with both, else with the longer one.
  *
  * @par Output
  * Polylines in the strokes' own space, without shared points; parts that touch have the same point

@@ -32,6 +32,7 @@ void Diagnose(Reporter& reporter)
     std::string(vtkSMPTools::GetBackend()) + ", " +
       std::to_string(vtkSMPTools::GetEstimatedNumberOfThreads()));
   PrintLine("OpenVDB", NPR_HAS_OPENVDB ? "built in" : "not built in (NPR_USE_OPENVDB is off)");
+  PrintLine("Embree", NPR_HAS_EMBREE ? "built in" : "not built in (NPR_USE_EMBREE is off)");
   PrintLine("Python", NPR_HAS_PYTHON ? "built" : "not built (NPR_WRAP_PYTHON is off)");
 
   const bool good = vtkNPROffscreen::Setup();

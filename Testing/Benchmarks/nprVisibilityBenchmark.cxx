@@ -22,14 +22,15 @@
  */
 #include "nprArrayNames.h"
 #include "nprBenchmarkCost.h"
-#include "nprBenchmarkModel.h"
 #include "nprBenchmarkViews.h"
 #include "nprVisibilityOracle.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLines.h"
+#include "vtkNPRModelImporter.h"
 #include "vtkNPRSampleSource.h"
 #include "vtkNPRSplineStrokes.h"
 #include "vtkNPRStrokeVisibility.h"
+#include "vtkNPRSurfacePreparation.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
@@ -107,19 +108,31 @@ struct Actor
 };
 using Actors = std::vector<std::unique_ptr<Actor>>;
 
-Surface ReadSample()
+/// A file's surface, or the sample without one, split along its creases. Null, with the importer's
+/// error, where there is none.
+Surface ReadSurface(const std::string& name)
 {
-  vtkNew<vtkNPRSampleSource> source;
+  vtkNew<vtkNPRSampleSource> sample;
+  vtkNew<vtkNPRModelImporter> importer;
+  vtkNew<vtkPolyData> model;
   vtkNew<vtkNPRSurfacePreparation> preparation;
-  preparation->SetInputConnection(source->GetOutputPort());
-  preparation->SetSplitCreases(false);
+  preparation->SetInputConnection(sample->GetOutputPort());
+  if (!name.empty())
+  {
+    importer->SetFileName(name.c_str());
+    if (!importer->GetSurface(model))
+    {
+      return nullptr;
+    }
+    preparation->SetInputData(model);
+  }
   preparation->Update();
   return preparation->GetOutput();
 }
 
 bool AddActor(const std::string& model, const Arguments& arguments, Actors& actors)
 {
-  const Surface bare = model.empty() ? ReadSample() : ReadModel(model.c_str());
+  const Surface bare = ReadSurface(model);
   if (!bare)
   {
     return false;
