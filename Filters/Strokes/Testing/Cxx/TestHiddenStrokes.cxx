@@ -41,6 +41,16 @@ void TestSheets()
     "nothing hides nothing");
 }
 
+void TestSlanted()
+{
+  // In perspective the middle of a line is not the middle of its image. The sheet's borders are
+  // seen where x is 1 - z / 10.
+  const auto strokes = MakePolylines({ { { -2.0, 0.1, -3.0 }, { 2.0, 0.1, -1.0 } } });
+  const auto filter = MakeFilter(strokes, { MakeSheet(1.0, 1.0, 0.0) }, MakeCamera(Front, false));
+  check(AreParts(GetParts(filter), "0 1 0", 0, { -2.0 + 28.0 / 38.0, -2.0 + 132.0 / 42.0 }, 1e-6),
+    "a slanted line in perspective");
+}
+
 void TestNarrow()
 {
   // Far narrower than a pixel, before a line of one segment.
@@ -241,6 +251,7 @@ void TestRigidMotion()
 int TestHiddenStrokes(int, char*[])
 {
   TestSheets();
+  TestSlanted();
   TestNarrow();
   TestSphere();
   TestBox();
