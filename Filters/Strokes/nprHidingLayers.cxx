@@ -324,6 +324,7 @@ bool HidingLayers::FindNearest()
 void HidingLayers::FindSources()
 {
   this->AreSourcesKnown = true;
+  this->NearlyEdgeOn = false;
   this->ClearOwn();
   this->Reach = 0.0;
   if (!this->FindNearest())
@@ -334,8 +335,9 @@ void HidingLayers::FindSources()
   this->Reach = ReachInGaps * this->Gap;
   const Vector normal =
     this->Normal.squaredNorm() > 0.0 ? this->Normal : this->Surfaces.GetAreaNormal(this->Nearest);
-  if (std::abs(normal.dot(this->ToEye)) <= SeenEdgeOn * normal.norm() &&
-    this->IsInside(this->Nearest))
+  this->NearlyEdgeOn = std::abs(normal.dot(this->ToEye)) <= SeenEdgeOn * normal.norm() &&
+    this->IsInside(this->Nearest);
+  if (this->NearlyEdgeOn)
   {
     this->Reach = std::max({ this->Reach, ReachInSizes * this->GetSize(this->Nearest),
       ReachInPixels * this->PixelSize });

@@ -37,6 +37,10 @@ public:
   /// \p mayBeEdgeOn false if the point surely lies on no triangle that is seen exactly edge-on.
   int Count(const Vector& point, const Vector& normal, bool mayBeEdgeOn);
 
+  /// Whether the own surface around the last point is seen so nearly edge-on that how far something
+  /// is from the point may decide whether it hides it. Where nothing is in front, it is not asked.
+  bool IsNearlyEdgeOn() const { return this->AreSourcesKnown && this->NearlyEdgeOn; }
+
   /// Adds the places, in ]0, 1[, where a segment goes through a surface.
   void FindPiercings(const Vector& from, const Vector& to, std::vector<double>& places) const;
 
@@ -86,6 +90,7 @@ private:
   Vector ToEye; // unit
   double PixelSize = 0.0;
   bool AreSourcesKnown = false;
+  bool NearlyEdgeOn = false;
   Index Nearest = -1;
   double Gap = 0.0;   // distance from the nearest triangle
   double Reach = 0.0; // how far the own surface hides nothing

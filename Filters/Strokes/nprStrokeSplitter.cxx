@@ -13,6 +13,9 @@ namespace
 {
 /// In pixels. Pieces are as the one before them until as much has come together.
 constexpr double LeastPiece = 0.02;
+/// In pixels. How finely pieces are looked at where it depends on distances what hides them.
+constexpr double EdgeOnStep = 1.0;
+constexpr double MostSteps = 10000.0;
 /// In pixels. Shorter segments are not searched for places where they go through a surface.
 constexpr double LeastPierced = 0.5;
 
@@ -219,6 +222,35 @@ int StrokeSplitter::CountLayers(std::size_t segment, double place, bool mayBeEdg
 }
 
 //------------------------------------------------------------------------------
+void StrokeSplitter::AddPiece(
+  std::size_t segment, double begin, double end, double length, bool mayBeEdgeOn)
+{
+  const auto start = static_cast<double>(segment);
+  const bool isKnown = !this->Parts.empty() && this->Parts.back().Layers != StrokePart::Nowhere;
+  this->Unseen += length;
+  if (isKnown && this->Unseen < LeastPiece)
+  {
+    this->Append(this->Parts.back().Layers, start + begin, start + end, length);
+    return;
+  }
+  this->Unseen = 0.0;
+  const int layers = this->CountLayers(segment, 0.5 * (begin + end), mayBeEdgeOn);
+  if (length < 2.0 * EdgeOnStep || !this->Layers.IsNearlyEdgeOn())
+  {
+    this->Append(layers, start + begin, start + end, length);
+    return;
+  }
+  const int steps = static_cast<int>(std::min(length / EdgeOnStep, MostSteps));
+  for (int step = 0; step < steps; ++step)
+  {
+    const double from = begin + (end - begin) * step / steps;
+    const double to = step + 1 < steps ? begin + (end - begin) * (step + 1) / steps : end;
+    this->Append(this->CountLayers(segment, 0.5 * (from + to), mayBeEdgeOn), start + from,
+      start + to, length / steps);
+  }
+}
+
+//------------------------------------------------------------------------------
 void StrokeSplitter::SplitSegment(std::size_t segment)
 {
   const Vector& from = (*this->Points)[segment];
@@ -281,18 +313,7 @@ void StrokeSplitter::SplitSegment(std::size_t segment)
     const Eigen::Vector2d pixel =
       seenPlace == 1.0 ? end.Pixel : this->Projection.Project(from + place * (to - from)).Pixel;
     const double length = (pixel - pixelBefore).norm();
-    const bool isKnown = !this->Parts.empty() && this->Parts.back().Layers != StrokePart::Nowhere;
-    this->Unseen += length;
-    if (isKnown && this->Unseen < LeastPiece)
-    {
-      this->Append(this->Parts.back().Layers, start + before, start + place, length);
-    }
-    else
-    {
-      this->Append(this->CountLayers(segment, 0.5 * (before + place), mayBeEdgeOn), start + before,
-        start + place, length);
-      this->Unseen = 0.0;
-    }
+    this->AddPiece(segment, before, place, length, mayBeEdgeOn);
     before = place;
     pixelBefore = pixel;
   }

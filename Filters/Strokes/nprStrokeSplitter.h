@@ -57,6 +57,8 @@ public:
 
 private:
   void SplitSegment(std::size_t segment);
+  /// A piece of a segment that nothing begins or ends to hide.
+  void AddPiece(std::size_t segment, double begin, double end, double length, bool mayBeEdgeOn);
   void Append(int layers, double begin, double end, double length);
   int CountLayers(std::size_t segment, double place, bool mayBeEdgeOn);
 

@@ -40,10 +40,11 @@
  * its own surface (A. Appel, "The notion of quantitative invisibility and the machine rendering of
  * solids", 1967). Strokes are cut there, by intersecting projected edges, and one ray is traced for
  * each piece (for short ones, when 0.02 pixels have come together): long straight lines cost no
- * more than short ones, and nothing is too narrow to hide them. Beyond 4 heights of the image from
- * its middle cuts may be missing. Then pieces that are alike are put together, and parts shorter
- * than MinimumLength become part of their neighbours: the shortest first, if both neighbours are
- * alike with both, else with the longer one.
+ * more than short ones, and nothing is too narrow to hide them. Pieces inside of triangles seen
+ * nearly edge-on, behind something, are looked at pixel by pixel. Beyond 4 heights of the image
+ * from its middle cuts may be missing. Then pieces that are alike are put together, and parts
+ * shorter than MinimumLength become part of their neighbours: the shortest first, if both
+ * neighbours are alike with both, else with the longer one.
  *
  * @par Output
  * Polylines in the strokes' own space, without shared points; parts that touch have the same point
