@@ -216,9 +216,19 @@ private:
     const std::array<double, 3> areas = { cross(corners[1], corners[2]),
       cross(corners[2], corners[0]), cross(corners[0], corners[1]) };
     const double sum = areas[0] + areas[1] + areas[2];
-    if (sum == 0.0 || areas[0] / sum <= 0.0 || areas[1] / sum <= 0.0 || areas[2] / sum <= 0.0)
+    if (sum == 0.0)
     {
       return nowhere;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      // What is exactly on an edge is in one of its two triangles.
+      const Eigen::Vector2d along = corners[(i + 2) % 3] - corners[(i + 1) % 3];
+      const bool isForwards = along.y() > 0.0 || (along.y() == 0.0 && along.x() > 0.0);
+      if (areas[i] == 0.0 ? isForwards != (sum > 0.0) : areas[i] / sum < 0.0)
+      {
+        return nowhere;
+      }
     }
     double depth = 0.0;
     for (int i = 0; i < 3; ++i)
