@@ -19,8 +19,6 @@ namespace npr
 {
 namespace
 {
-constexpr int NoId = -1;
-
 // A part of the surface that lines are known by.
 std::size_t GetPlace(const LineChains& chains, std::size_t vertex)
 {
@@ -75,11 +73,16 @@ ChainIds::Claim ChainIds::GetClaim(const LineChains& chains, std::size_t chain) 
 }
 
 //------------------------------------------------------------------------------
-std::vector<int> ChainIds::Update(const LineChains& chains, const std::vector<std::size_t>& chosen,
-  const std::vector<Claim>& claims, int& next)
+std::vector<int> ChainIds::Give(const std::vector<Claim>& claims)
 {
-  std::vector<std::size_t> order(chosen.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < claims.size(); ++i)
+  {
+    if (claims[i].Id != NoId)
+    {
+      order.push_back(i);
+    }
+  }
   std::sort(order.begin(), order.end(),
     [&claims](std::size_t a, std::size_t b)
     {
@@ -87,7 +90,7 @@ std::vector<int> ChainIds::Update(const LineChains& chains, const std::vector<st
         : claims[a].Votes != claims[b].Votes ? claims[a].Votes > claims[b].Votes
                                              : a < b;
     });
-  std::vector<int> ids(chosen.size(), NoId);
+  std::vector<int> ids(claims.size(), NoId);
   int last = NoId;
   for (const std::size_t i : order)
   {
@@ -97,13 +100,16 @@ std::vector<int> ChainIds::Update(const LineChains& chains, const std::vector<st
       ids[i] = last;
     }
   }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+void ChainIds::Remember(
+  const LineChains& chains, const std::vector<std::size_t>& chosen, const std::vector<int>& ids)
+{
   std::fill(this->LastIds.begin(), this->LastIds.end(), NoId);
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
-    if (ids[i] == NoId)
-    {
-      ids[i] = next++;
-    }
     for (std::size_t v = chains.Begins[chosen[i]]; v < chains.Ends[chosen[i]]; ++v)
     {
       const std::size_t place = GetPlace(chains, v);
@@ -114,7 +120,6 @@ std::vector<int> ChainIds::Update(const LineChains& chains, const std::vector<st
       this->LastIds[place] = ids[i];
     }
   }
-  return ids;
 }
 
 //------------------------------------------------------------------------------
@@ -156,11 +161,10 @@ void LineOutput::Begin(const Eigen::Vector3d& origin, const Options& options)
 }
 
 //------------------------------------------------------------------------------
-// The lines of a definition that were written last. False if they would be at another place.
 bool LineOutput::AddLast(const LineChains& chains, int type)
 {
   const auto begin = this->LastLines.begin() + this->Lines.size();
-  if (this->Lines.size() >= this->LastLines.size() || begin->Type != type ||
+  if (!this->MayKeepLast || this->Lines.size() >= this->LastLines.size() || begin->Type != type ||
     begin->FirstPoint != this->NumberOfPoints || begin->FirstCorner != this->NumberOfCorners)
   {
     return false;
@@ -180,13 +184,8 @@ bool LineOutput::AddLast(const LineChains& chains, int type)
 }
 
 //------------------------------------------------------------------------------
-void LineOutput::Add(const LineChains& chains, bool isUnchanged, int type,
-  const std::vector<double>& levels, ChainIds& ids, int& nextId)
+LineChoice LineOutput::Choose(const LineChains& chains, const ChainIds& ids) const
 {
-  if (isUnchanged && this->MayKeepLast && this->AddLast(chains, type))
-  {
-    return;
-  }
   std::vector<char> wanted(chains.GetNumberOfChains());
   std::vector<ChainIds::Claim> claims(wanted.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()),
@@ -198,23 +197,34 @@ void LineOutput::Add(const LineChains& chains, bool isUnchanged, int type,
         wanted[chain] = this->IsWanted(chains, chain, claims[chain]);
       }
     });
-  std::vector<std::size_t> chosen;
+  LineChoice choice;
   for (std::size_t chain = 0; chain < wanted.size(); ++chain)
   {
     if (wanted[chain])
     {
-      claims[chosen.size()] = claims[chain];
-      chosen.push_back(chain);
+      claims[choice.Chains.size()] = claims[chain];
+      choice.Chains.push_back(chain);
     }
   }
-  const std::vector<int> given = ids.Update(chains, chosen, claims, nextId);
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+  claims.resize(choice.Chains.size());
+  choice.Ids = ChainIds::Give(claims);
+  return choice;
+}
+
+//------------------------------------------------------------------------------
+void LineOutput::Add(const LineChains& chains, int type, const std::vector<double>& levels,
+  LineChoice& choice, int& nextId)
+{
+  for (std::size_t i = 0; i < choice.Chains.size(); ++i)
   {
-    const vtkIdType size = static_cast<vtkIdType>(chains.GetSize(chosen[i]));
-    this->Lines.push_back({ &chains, chosen[i], this->NumberOfPoints, this->NumberOfCorners,
-      levels[chains.Levels[chosen[i]]], type, given[i], false });
+    const std::size_t chain = choice.Chains[i];
+    int& id = choice.Ids[i];
+    id = id == ChainIds::NoId ? nextId++ : id;
+    const vtkIdType size = static_cast<vtkIdType>(chains.GetSize(chain));
+    this->Lines.push_back({ &chains, chain, this->NumberOfPoints, this->NumberOfCorners,
+      levels[chains.Levels[chain]], type, id, false });
     this->NumberOfPoints += size;
-    this->NumberOfCorners += size + (chains.Closed[chosen[i]] ? 1 : 0);
+    this->NumberOfCorners += size + (chains.Closed[chain] ? 1 : 0);
   }
 }
 
@@ -238,11 +248,11 @@ void LineOutput::WriteLines()
   prepare(to.Types, names::LineType, 1, numberOfLines);
   prepare(to.Levels, names::LineLevel, 1, numberOfLines);
   prepare(to.Ids, names::ChainId, 1, numberOfLines);
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkNew<vtkIdTypeArray> corners;
-  offsets->SetNumberOfValues(numberOfLines + 1);
+  Prepare(to.Offsets, "Offsets", 1, numberOfLines + 1);
+  Prepare(to.Corners, "Corners", 1, this->NumberOfCorners);
+  vtkIdTypeArray* const offsets = to.Offsets;
+  vtkIdTypeArray* const corners = to.Corners;
   offsets->SetValue(numberOfLines, this->NumberOfCorners);
-  corners->SetNumberOfValues(this->NumberOfCorners);
 
   const auto writeLine = [&](vtkIdType i)
   {
@@ -327,8 +337,9 @@ void LineOutput::Write(vtkPolyData* output)
       this->Lines.begin(), this->Lines.end(), [](const Line& line) { return line.IsUnchanged; });
   if (!isUnchanged)
   {
-    // The points hold the positions, which are to be used again if nobody else holds them.
+    // They hold arrays that are to be used again if nobody else holds them.
     this->Written.Points = nullptr;
+    this->Written.Cells = nullptr;
     this->WriteLines();
   }
   const Arrays& from = this->Written;

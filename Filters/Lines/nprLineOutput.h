@@ -45,13 +45,23 @@ public:
   };
   Claim GetClaim(const LineChains& chains, std::size_t chain) const;
 
-  /// One for each of the chosen chains, which claim these, all different. `next` is the first that
-  /// was never given, here or to other definitions, and goes on.
-  std::vector<int> Update(const LineChains& chains, const std::vector<std::size_t>& chosen,
-    const std::vector<Claim>& claims, int& next);
+  /// What chains with these claims get; NoId is for those that are to get a new number.
+  static constexpr int NoId = -1;
+  static std::vector<int> Give(const std::vector<Claim>& claims);
+
+  /// The numbers that chains have got, for the next view.
+  void Remember(
+    const LineChains& chains, const std::vector<std::size_t>& chosen, const std::vector<int>& ids);
 
 private:
   std::vector<int> LastIds; // of places on the surface
+};
+
+/// Those of a definition's chains that are written, and their numbers.
+struct LineChoice
+{
+  std::vector<std::size_t> Chains;
+  std::vector<int> Ids; ///< may be ChainIds::NoId before they are written
 };
 
 /**
@@ -75,11 +85,16 @@ public:
 
   /// Begins an output. The origin is what the chains' positions are relative to.
   void Begin(const Eigen::Vector3d& origin, const Options& options);
-  /// The chains of a definition, which must live until the output after this has been written.
-  /// `type` is the definition's number, `levels` its levels. `isUnchanged` says that the chains are
-  /// those of the last output.
-  void Add(const LineChains& chains, bool isUnchanged, int type, const std::vector<double>& levels,
-    ChainIds& ids, int& nextId);
+  /// Which chains of a definition are wanted. For several definitions at once, if need be.
+  LineChoice Choose(const LineChains& chains, const ChainIds& ids) const;
+  /// Adds the chosen chains, which must live until the output after this has been written. `type`
+  /// is the definition's number, `levels` its levels. Gives numbers from `nextId` on, which goes
+  /// on, to chains without.
+  void Add(const LineChains& chains, int type, const std::vector<double>& levels,
+    LineChoice& choice, int& nextId);
+  /// The chains of a definition as they were written last. False, and nothing is added, if they
+  /// would be at another place or others might be chosen now.
+  bool AddLast(const LineChains& chains, int type);
   /// Points, lines, and their arrays.
   void Write(vtkPolyData* output);
 
@@ -107,11 +122,12 @@ private:
     vtkSmartPointer<vtkIntArray> Types;
     vtkSmartPointer<vtkDoubleArray> Levels;
     vtkSmartPointer<vtkIntArray> Ids;
+    vtkSmartPointer<vtkIdTypeArray> Offsets;
+    vtkSmartPointer<vtkIdTypeArray> Corners;
     vtkSmartPointer<vtkPoints> Points;
     vtkSmartPointer<vtkCellArray> Cells;
   };
   bool IsWanted(const LineChains& chains, std::size_t chain, const ChainIds::Claim& claim) const;
-  bool AddLast(const LineChains& chains, int type);
   void WriteLines();
   void WriteDistances();
 

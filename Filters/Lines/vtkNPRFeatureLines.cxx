@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -392,26 +393,54 @@ int vtkNPRFeatureLines::RequestData(
     { this->MinimumLength, static_cast<float>(this->MinimumStrength), this->Hysteresis,
       ruler.get() });
   // First those that no view changes, so that they stay where they are.
-  int done = 0;
+  std::vector<Internals::Entry*> entries;
   for (const bool moves : { false, true })
   {
-    for (std::size_t i = 0; i < internal.Entries.size() && !npr::IsAborted(this); ++i)
+    for (Internals::Entry& entry : internal.Entries)
     {
-      Internals::Entry& entry = internal.Entries[i];
-      if (entry.Definition->IsViewDependent() != moves)
+      if (entry.Definition->IsViewDependent() == moves)
       {
-        continue;
+        entries.push_back(&entry);
       }
-      if (moves || !entry.IsExtracted)
-      {
-        internal.Extract(entry, view, internal.Options);
-      }
-      const Internals::StageTimer timer(internal, WRITE);
-      lines.Add(entry.Chains, entry.IsWritten, static_cast<int>(i), internal.GetLevels(entry),
-        entry.Ids, internal.NextId);
-      entry.IsWritten = !moves;
-      this->UpdateProgress(0.5 + 0.5 * static_cast<double>(++done) / internal.Entries.size());
     }
+  }
+  std::size_t done = 0;
+  while (done < entries.size() && !npr::IsAborted(this))
+  {
+    const std::size_t first = done;
+    done = std::min(first + internal.Benches.size(), entries.size());
+    std::vector<Internals::Entry*> changed;
+    std::copy_if(entries.begin() + first, entries.begin() + done, std::back_inserter(changed),
+      [](const Internals::Entry* entry)
+      { return entry->Definition->IsViewDependent() || !entry->IsExtracted; });
+    internal.Extract(changed, view, internal.Options);
+    const Internals::StageTimer timer(internal, WRITE);
+    internal.ForEach(changed,
+      [&lines](Internals::Entry& entry, Internals::Bench&)
+      { entry.Choice = lines.Choose(entry.Chains, entry.Ids); });
+    for (std::size_t i = first; i < done; ++i)
+    {
+      Internals::Entry& entry = *entries[i];
+      const int type = static_cast<int>(&entry - internal.Entries.data());
+      if (!entry.IsWritten || !lines.AddLast(entry.Chains, type))
+      {
+        const bool isChosenAnew = entry.IsWritten;
+        if (isChosenAnew)
+        {
+          entry.Choice = lines.Choose(entry.Chains, entry.Ids);
+        }
+        lines.Add(entry.Chains, type, internal.GetLevels(entry), entry.Choice, internal.NextId);
+        if (isChosenAnew)
+        {
+          entry.Ids.Remember(entry.Chains, entry.Choice.Chains, entry.Choice.Ids);
+        }
+      }
+      entry.IsWritten = !entry.Definition->IsViewDependent();
+    }
+    internal.ForEach(changed,
+      [](Internals::Entry& entry, Internals::Bench&)
+      { entry.Ids.Remember(entry.Chains, entry.Choice.Chains, entry.Choice.Ids); });
+    this->UpdateProgress(0.5 + 0.5 * static_cast<double>(done) / entries.size());
   }
   const Internals::StageTimer timer(internal, WRITE);
   lines.Write(output);

@@ -15,6 +15,7 @@
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -33,6 +34,7 @@ public:
     std::unique_ptr<npr::LineExtractor> Extractor;
     npr::LineChains Chains;
     npr::ChainIds Ids;
+    npr::LineChoice Choice;
     bool IsExtracted = false; // whether the chains are those of the input and the definition
     bool IsWritten = false;   // whether the last output had these chains
   };
@@ -41,9 +43,14 @@ public:
   std::unique_ptr<npr::LineSurface> Surface;
   std::unique_ptr<npr::LineClusters> Clusters;
   std::unique_ptr<npr::FieldValues> Values;
-  std::unique_ptr<npr::LineJoiner> Joiner;
-  npr::LineSegments Segments;
-  npr::LinePaths Paths;
+  // What definitions are joined with that are joined at the same time.
+  struct Bench
+  {
+    npr::LineSegments Segments;
+    npr::LinePaths Paths;
+    std::unique_ptr<npr::LineJoiner> Joiner;
+  };
+  std::array<Bench, 4> Benches;
   npr::LineOutput Output;
   int NextId = 0;
 
@@ -75,22 +82,53 @@ public:
     const std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
   };
 
-  void Extract(Entry& entry, const npr::LineView& view, const npr::LineOptions& options)
+  // Of as many entries as there are benches, or fewer. Parts of joining can not be shared out among
+  // threads, so different definitions are joined at once.
+  void Extract(
+    const std::vector<Entry*>& entries, const npr::LineView& view, const npr::LineOptions& options)
   {
     {
       const StageTimer timer(*this, EXTRACT);
-      entry.Definition->BeginView(*this->Surface, view);
-      entry.Extractor->Extract(view, options, *this->Values, this->Segments);
-      entry.Definition->EndView(*this->Surface);
+      for (std::size_t i = 0; i < entries.size(); ++i)
+      {
+        Entry& entry = *entries[i];
+        entry.Definition->BeginView(*this->Surface, view);
+        entry.Extractor->Extract(view, options, *this->Values, this->Benches[i].Segments);
+        entry.Definition->EndView(*this->Surface);
+        entry.IsExtracted = true;
+        entry.IsWritten = false;
+      }
     }
     {
       const StageTimer timer(*this, JOIN);
-      this->Joiner->Join(this->Segments, this->Paths);
+      ForEach(entries,
+        [this](Entry&, Bench& bench)
+        {
+          if (!bench.Joiner)
+          {
+            bench.Joiner = std::make_unique<npr::LineJoiner>(*this->Surface);
+          }
+          bench.Joiner->Join(bench.Segments, bench.Paths);
+        });
     }
-    entry.IsExtracted = true;
-    entry.IsWritten = false;
     const StageTimer timer(*this, PLACE);
-    entry.Chains.Make(*this->Surface, this->Segments, this->Paths, this->OutputSources);
+    ForEach(entries,
+      [this](Entry& entry, Bench& bench)
+      { entry.Chains.Make(*this->Surface, bench.Segments, bench.Paths, this->OutputSources); });
+  }
+
+  // Calls work(entry, bench) for all, in parallel.
+  template<typename Work>
+  void ForEach(const std::vector<Entry*>& entries, const Work& work)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(entries.size()), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          work(*entries[i], this->Benches[i]);
+        }
+      });
   }
 
   // What the output says of the levels.
@@ -117,7 +155,10 @@ public:
       this->Values.reset();
       this->Clusters.reset();
       this->Surface = std::make_unique<npr::LineSurface>(input, lengthScale);
-      this->Joiner = std::make_unique<npr::LineJoiner>(*this->Surface);
+      for (Bench& bench : this->Benches)
+      {
+        bench.Joiner.reset();
+      }
       this->NextId = 0;
       for (Entry& entry : this->Entries)
       {
