@@ -3,6 +3,7 @@
 #include "nprLineChains.h"
 
 #include "nprArrayNames.h"
+#include "nprLanes.h"
 
 #include <vtkSMPTools.h>
 
@@ -54,6 +55,34 @@ public:
     return segment < crossings
       ? this->GetOfCrossing(this->Segments.Crossings[segment], end % 2)
       : this->GetOfPiece(this->Segments.Pieces[segment - crossings], end % 2);
+  }
+
+  /// Starts to load what Get() will read, in two steps.
+  void PrefetchTriangle(LinePaths::End end) const
+  {
+    const std::size_t segment = end / 2;
+    if (segment < this->Segments.Crossings.size())
+    {
+      Prefetch(&this->Surface.GetMesh().GetTriangle(this->Segments.Crossings[segment].Triangle));
+    }
+  }
+  void PrefetchPoints(LinePaths::End end) const
+  {
+    const std::size_t segment = end / 2;
+    if (segment < this->Segments.Crossings.size())
+    {
+      const LineNode node = this->Segments.Crossings[segment].GetNode(this->Surface, end % 2);
+      for (const Index point : { node.From, node.To })
+      {
+        Prefetch(&this->Surface.GetMesh().GetPoint(point));
+        if (this->Normals[0])
+        {
+          Prefetch(this->Normals[0] + point);
+          Prefetch(this->Normals[1] + point);
+          Prefetch(this->Normals[2] + point);
+        }
+      }
+    }
   }
 
 private:
@@ -171,6 +200,9 @@ void LineChains::SetVertices(const LineSurface& surface, const LineSegments& seg
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
+        constexpr vtkIdType ahead = 4;
+        vertices.PrefetchTriangle(paths.Ends[std::min(i + 2 * ahead, end - 1)]);
+        vertices.PrefetchPoints(paths.Ends[std::min(i + ahead, end - 1)]);
         const Vertices::Vertex vertex = vertices.Get(paths.Ends[i]);
         this->Positions[i] = vertex.Position;
         this->Normals[i] = vertex.Normal;
