@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -124,6 +125,17 @@ inline void Prefetch(const void* address)
 #else
   (void)address;
 #endif
+}
+
+template<typename T>
+void PrefetchSpan(const T* begin, std::size_t count)
+{
+  constexpr std::size_t line = 64;
+  const char* const bytes = reinterpret_cast<const char*>(begin);
+  for (std::size_t i = 0; i < count * sizeof(T); i += line)
+  {
+    Prefetch(bytes + i);
+  }
 }
 
 inline float SquareRoot(float x)

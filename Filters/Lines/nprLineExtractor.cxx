@@ -3,6 +3,7 @@
 #include "nprLineExtractor.h"
 
 #include "nprEdgePieces.h"
+#include "nprLanes.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkSMPTools.h>
@@ -309,8 +310,13 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
     values.GetAxes()->PrefetchTriangle(std::min(triangle + ahead, lastTriangle));
     return FindCrossedByAxes(triangle, values);
   };
-  for (const Index cluster : part.Clusters)
+  for (std::size_t c = 0; c < part.Clusters.size(); ++c)
   {
+    constexpr std::size_t ahead = 2;
+    const Index later = part.Clusters[std::min(c + ahead, part.Clusters.size() - 1)];
+    const Index firstLater = this->Clusters.GetFirstTriangle(later);
+    PrefetchSpan(&mesh.GetTriangle(firstLater), this->Clusters.GetTriangleEnd(later) - firstLater);
+    const Index cluster = part.Clusters[c];
     if (this->IsOnOneSide(cluster, values))
     {
       continue;
