@@ -413,33 +413,8 @@ int vtkNPRFeatureLines::RequestData(
     std::copy_if(entries.begin() + first, entries.begin() + done, std::back_inserter(changed),
       [](const Internals::Entry* entry)
       { return entry->Definition->IsViewDependent() || !entry->IsExtracted; });
-    internal.Extract(changed, view, internal.Options);
-    const Internals::StageTimer timer(internal, WRITE);
-    internal.ForEach(changed,
-      [&lines](Internals::Entry& entry, Internals::Bench&)
-      { entry.Choice = lines.Choose(entry.Chains, entry.Ids); });
-    for (std::size_t i = first; i < done; ++i)
-    {
-      Internals::Entry& entry = *entries[i];
-      const int type = static_cast<int>(&entry - internal.Entries.data());
-      if (!entry.IsWritten || !lines.AddLast(entry.Chains, type))
-      {
-        const bool isChosenAnew = entry.IsWritten;
-        if (isChosenAnew)
-        {
-          entry.Choice = lines.Choose(entry.Chains, entry.Ids);
-        }
-        lines.Add(entry.Chains, type, internal.GetLevels(entry), entry.Choice, internal.NextId);
-        if (isChosenAnew)
-        {
-          entry.Ids.Remember(entry.Chains, entry.Choice.Chains, entry.Choice.Ids);
-        }
-      }
-      entry.IsWritten = !entry.Definition->IsViewDependent();
-    }
-    internal.ForEach(changed,
-      [](Internals::Entry& entry, Internals::Bench&)
-      { entry.Ids.Remember(entry.Chains, entry.Choice.Chains, entry.Choice.Ids); });
+    internal.Extract(changed, view);
+    internal.Add({ entries.begin() + first, entries.begin() + done }, changed);
     this->UpdateProgress(0.5 + 0.5 * static_cast<double>(done) / entries.size());
   }
   const Internals::StageTimer timer(internal, WRITE);

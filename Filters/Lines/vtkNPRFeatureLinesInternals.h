@@ -15,7 +15,6 @@
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -84,105 +83,19 @@ public:
 
   // Of as many entries as there are benches, or fewer. Parts of joining can not be shared out among
   // threads, so different definitions are joined at once.
-  void Extract(
-    const std::vector<Entry*>& entries, const npr::LineView& view, const npr::LineOptions& options)
-  {
-    {
-      const StageTimer timer(*this, EXTRACT);
-      for (std::size_t i = 0; i < entries.size(); ++i)
-      {
-        Entry& entry = *entries[i];
-        entry.Definition->BeginView(*this->Surface, view);
-        entry.Extractor->Extract(view, options, *this->Values, this->Benches[i].Segments);
-        entry.Definition->EndView(*this->Surface);
-        entry.IsExtracted = true;
-        entry.IsWritten = false;
-      }
-    }
-    {
-      const StageTimer timer(*this, JOIN);
-      ForEach(entries,
-        [this](Entry&, Bench& bench)
-        {
-          if (!bench.Joiner)
-          {
-            bench.Joiner = std::make_unique<npr::LineJoiner>(*this->Surface);
-          }
-          bench.Joiner->Join(bench.Segments, bench.Paths);
-        });
-    }
-    const StageTimer timer(*this, PLACE);
-    ForEach(entries,
-      [this](Entry& entry, Bench& bench)
-      { entry.Chains.Make(*this->Surface, bench.Segments, bench.Paths, this->OutputSources); });
-  }
-
-  // Calls work(entry, bench) for all, in parallel.
-  template<typename Work>
-  void ForEach(const std::vector<Entry*>& entries, const Work& work)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(entries.size()), 1,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          work(*entries[i], this->Benches[i]);
-        }
-      });
-  }
-
-  // What the output says of the levels.
-  std::vector<double> GetLevels(const Entry& entry) const
-  {
-    const std::vector<float>& levels = entry.Extractor->GetLevels();
-    std::vector<double> result(levels.begin(), levels.end());
-    for (double& level : result)
-    {
-      level += entry.Definition->GetLevelOffset(*this->Surface);
-    }
-    return result;
-  }
-
+  void Extract(const std::vector<Entry*>& entries, const npr::LineView& view);
+  // Adds what these entries have to the output, whose last chains still stand where nothing has
+  // changed.
+  void Add(const std::vector<Entry*>& entries, const std::vector<Entry*>& changed);
   // Takes the points alone where the triangles are those of the last time.
-  void SetSurface(vtkPolyData* input, double lengthScale)
-  {
-    for (Entry& entry : this->Entries)
-    {
-      entry.Extractor.reset();
-    }
-    if (!this->Surface || !this->Surface->Move(input, lengthScale))
-    {
-      this->Values.reset();
-      this->Clusters.reset();
-      this->Surface = std::make_unique<npr::LineSurface>(input, lengthScale);
-      for (Bench& bench : this->Benches)
-      {
-        bench.Joiner.reset();
-      }
-      this->NextId = 0;
-      for (Entry& entry : this->Entries)
-      {
-        entry.Ids = npr::ChainIds();
-      }
-    }
-    this->Input = input;
-    this->InputMTime = input->GetMTime();
-    this->LengthScale = lengthScale;
-  }
-
+  void SetSurface(vtkPolyData* input, double lengthScale);
   // Once the normals are there.
-  void SetClusters(bool haveMoved)
-  {
-    if (!this->Clusters)
-    {
-      this->Clusters = std::make_unique<npr::LineClusters>(*this->Surface);
-      this->Values = std::make_unique<npr::FieldValues>(*this->Surface, *this->Clusters);
-    }
-    else if (haveMoved)
-    {
-      this->Clusters->UpdateBounds();
-    }
-  }
+  void SetClusters(bool haveMoved);
+
+private:
+  template<typename Work>
+  void ForEach(const std::vector<Entry*>& entries, const Work& work);
+  std::vector<double> GetLevels(const Entry& entry) const;
 };
 
 #endif
