@@ -129,9 +129,11 @@ bool LineOutput::IsWanted(
   const std::size_t begin = chains.Begins[chain];
   const std::size_t end = chains.Ends[chain];
   const double share = 2 * claim.Votes > end - begin ? 1.0 - this->Settings.Hysteresis : 1.0;
+  const double leastStrength = share * this->Settings.MinimumStrength;
   if (begin == end ||
-    *std::max_element(chains.Strengths.begin() + begin, chains.Strengths.begin() + end) <
-      share * this->Settings.MinimumStrength)
+    (leastStrength > 0.0 &&
+      *std::max_element(chains.Strengths.begin() + begin, chains.Strengths.begin() + end) <
+        leastStrength))
   {
     return false;
   }

@@ -66,13 +66,6 @@ LineRuler::LineRuler(
 }
 
 //------------------------------------------------------------------------------
-double LineRuler::GetDistance(const Eigen::Vector3d& point) const
-{
-  const Eigen::Vector3d ray = this->Linear * point + this->Offset - this->Eye;
-  return this->Parallel ? ray.dot(this->Direction) : ray.norm();
-}
-
-//------------------------------------------------------------------------------
 double LineRuler::Measure(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const
 {
   const Eigen::Vector3d from = this->Linear * a + this->Offset;

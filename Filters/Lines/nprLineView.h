@@ -58,7 +58,11 @@ public:
 
   /// How far a point, relative to the origin, is from the eye in the world; with a parallel
   /// projection, from the plane through the camera across its direction.
-  double GetDistance(const Eigen::Vector3d& point) const;
+  double GetDistance(const Eigen::Vector3d& point) const
+  {
+    const Eigen::Vector3d ray = this->Linear * point + this->Offset - this->Eye;
+    return this->Parallel ? ray.dot(this->Direction) : ray.norm();
+  }
 
 private:
   const Eigen::Matrix3d Linear;
