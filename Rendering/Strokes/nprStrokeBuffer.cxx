@@ -229,6 +229,25 @@ std::vector<unsigned char> OrderColors(
 }
 
 //------------------------------------------------------------------------------
+std::vector<unsigned char> NumberCells(const StrokeRecords& records, std::ptrdiff_t otherCells)
+{
+  std::vector<unsigned char> cells;
+  cells.reserve(4 * records.Records.size());
+  for (std::size_t line = 0; line + 1 < records.Begins.size(); ++line)
+  {
+    const std::ptrdiff_t number = otherCells + static_cast<std::ptrdiff_t>(line);
+    for (std::ptrdiff_t i = records.Begins[line]; i < records.Begins[line + 1]; ++i)
+    {
+      for (int byte = 0; byte < 4; ++byte)
+      {
+        cells.push_back(static_cast<unsigned char>(number >> (8 * byte) & 0xff));
+      }
+    }
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
 std::vector<float> MeasurePageLengths(
   const StrokeRecords& records, vtkMatrix4x4* toDevice, const float viewportSize[2])
 {

@@ -58,6 +58,10 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes);
 std::vector<unsigned char> OrderColors(
   const StrokeRecords& records, vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells);
 
+/// The number of the cell that each record belongs to, by bytes, the lowest first; for lines that
+/// come after other cells.
+std::vector<unsigned char> NumberCells(const StrokeRecords& records, std::ptrdiff_t otherCells);
+
 /**
  * How far along its stroke each record is in the picture, in pixels.
  *

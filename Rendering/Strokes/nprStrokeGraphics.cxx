@@ -46,6 +46,7 @@ void StrokeGraphics::Release()
   this->Window->PushContext();
   this->Composite.reset();
   this->Layer.ReleaseGraphicsResources(this->Window);
+  this->Picking.ReleaseGraphicsResources(this->Window);
   this->VertexArray->ReleaseGraphicsResources();
   this->Buffer->ReleaseGraphicsResources();
   this->BufferTexture->ReleaseGraphicsResources(this->Window);
@@ -53,6 +54,9 @@ void StrokeGraphics::Release()
   this->LengthsTexture->ReleaseGraphicsResources(this->Window);
   this->Colors->ReleaseGraphicsResources();
   this->ColorsTexture->ReleaseGraphicsResources(this->Window);
+  this->Cells->ReleaseGraphicsResources();
+  this->CellsTexture->ReleaseGraphicsResources(this->Window);
+  this->CellsTime = vtkTimeStamp();
   this->NumberOfSegments = 0;
   this->UploadTime = vtkTimeStamp();
   this->Window->PopContext();
@@ -99,6 +103,22 @@ void StrokeGraphics::UploadColors(vtkUnsignedCharArray* colors, bool ofCells)
 }
 
 //------------------------------------------------------------------------------
+void StrokeGraphics::UploadCells()
+{
+  if (this->CellsTime > this->UploadTime)
+  {
+    return;
+  }
+  const std::vector<unsigned char> cells =
+    NumberCells(this->Records, this->UploadedInput->GetNumberOfVerts());
+  this->Cells->Upload(cells, vtkOpenGLBufferObject::TextureBuffer);
+  this->CellsTexture->SetContext(this->Window);
+  this->CellsTexture->CreateTextureBuffer(
+    static_cast<unsigned int>(cells.size() / 4), 4, VTK_UNSIGNED_CHAR, this->Cells);
+  this->CellsTime.Modified();
+}
+
+//------------------------------------------------------------------------------
 void StrokeGraphics::UploadPageLengths(vtkMatrix4x4* toDevice, const float viewportSize[2])
 {
   const std::vector<float> lengths = MeasurePageLengths(this->Records, toDevice, viewportSize);
@@ -109,15 +129,15 @@ void StrokeGraphics::UploadPageLengths(vtkMatrix4x4* toDevice, const float viewp
 }
 
 //------------------------------------------------------------------------------
-void StrokeGraphics::Draw(vtkShaderProgram* program, bool depthTest, bool pageLengths)
+void StrokeGraphics::Draw(
+  vtkShaderProgram* program, vtkTextureObject* depth, bool pageLengths, bool picked)
 {
-  // Samplers of two kinds must not share a unit, even where one is not used.
-  int unused = 0;
+  std::vector<vtkTextureObject*> bound;
   const auto bind = [&](const char* name, vtkTextureObject* texture)
   {
     texture->Activate();
     program->SetUniformi(name, texture->GetTextureUnit());
-    unused = std::max(unused, texture->GetTextureUnit() + 1);
+    bound.push_back(texture);
   };
   bind("nprRecords", this->BufferTexture);
   if (pageLengths)
@@ -128,30 +148,30 @@ void StrokeGraphics::Draw(vtkShaderProgram* program, bool depthTest, bool pageLe
   {
     bind("nprColors", this->ColorsTexture);
   }
-  program->SetUniformi("nprDepthTest", depthTest);
-  if (depthTest)
+  if (picked)
   {
-    bind("nprDepthTexture", this->Layer.GetDepth());
+    bind("nprCells", this->CellsTexture);
+  }
+  if (depth)
+  {
+    bind("nprDepthTexture", depth);
   }
   else
   {
+    // Samplers of two kinds must not share a unit, even where one is not used.
+    int unused = 0;
+    for (vtkTextureObject* texture : bound)
+    {
+      unused = std::max(unused, texture->GetTextureUnit() + 1);
+    }
     program->SetUniformi("nprDepthTexture", unused);
   }
   this->VertexArray->Bind(); // OpenGL wants one, even without attributes
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * this->NumberOfSegments));
   this->VertexArray->Release();
-  this->BufferTexture->Deactivate();
-  if (pageLengths)
+  for (vtkTextureObject* texture : bound)
   {
-    this->LengthsTexture->Deactivate();
-  }
-  if (this->Colored)
-  {
-    this->ColorsTexture->Deactivate();
-  }
-  if (depthTest)
-  {
-    this->Layer.GetDepth()->Deactivate();
+    texture->Deactivate();
   }
 }
 }

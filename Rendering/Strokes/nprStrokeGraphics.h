@@ -5,6 +5,7 @@
 
 #include "nprStrokeBuffer.h"
 #include "nprStrokeLayer.h"
+#include "nprStrokePicking.h"
 #include "nprVTKCompat.h"
 
 #include <vtkNew.h>
@@ -54,16 +55,21 @@ public:
   /// each cell.
   void UploadColors(vtkUnsignedCharArray* colors, bool ofCells);
   bool HasColors() const { return this->Colored; }
+  /// Brings the numbers of the cells that segments belong to up to date.
+  void UploadCells();
   /// Measures how long strokes are on the page in this view.
   void UploadPageLengths(vtkMatrix4x4* toDevice, const float viewportSize[2]);
 
-  /// Draws all segments with a program, whose uniforms are set but for the textures.
-  void Draw(vtkShaderProgram* program, bool depthTest, bool pageLengths);
+  /// Draws all segments with a program, whose uniforms are set but for the textures; that of the
+  /// depth may be null.
+  void Draw(
+    vtkShaderProgram* program, vtkTextureObject* depth, bool pageLengths, bool picked = false);
 
   std::ptrdiff_t GetNumberOfSegments() const { return this->NumberOfSegments; }
   const StrokeRecords& GetRecords() const { return this->Records; }
 
   StrokeLayer Layer;
+  StrokePicking Picking;
   std::unique_ptr<vtkOpenGLQuadHelper> Composite;
 
 private:
@@ -77,6 +83,9 @@ private:
   vtkNew<vtkOpenGLBufferObject> Colors;
   vtkNew<vtkTextureObject> ColorsTexture;
   bool Colored = false;
+  vtkNew<vtkOpenGLBufferObject> Cells;
+  vtkNew<vtkTextureObject> CellsTexture;
+  vtkTimeStamp CellsTime;
 
   StrokeRecords Records;
   std::ptrdiff_t NumberOfSegments = 0;

@@ -20,6 +20,12 @@ flat in vec4 nprStartColorVSOut;
 flat in vec4 nprEndColorVSOut;
 #endif
 
+#ifdef NPR_PICKED
+flat in vec4 nprCellVSOut;
+uniform int nprPickedPart; // of the cell's number: 1 its low bytes, 2 the high one; 0: the colour
+uniform vec3 nprPickedColor;
+#endif
+
 uniform int nprDepthTest;
 uniform sampler2D nprDepthTexture;
 uniform vec2 nprViewportSize;      // pixels
@@ -139,7 +145,22 @@ void main()
       visibility(nprAxisVSOut.xy + along * axis, mix(nprDepthVSOut.x, nprDepthVSOut.y, t));
   }
   float shown = mix(nprHiddenOpacity, 1.0, visible);
+  float undashed = shown;
 //NPR::Styled::Impl
+#ifdef NPR_PICKED
+  // What is half covered is in the stroke; of one thinner than a pixel, what has half of it.
+  if (coverage <= 0.0 || coverage < 0.99 * min(0.5, radius) || 
+    opacity * undashed < 0.02 || shown < 0.5 * undashed)
+  {
+    discard;
+  }
+  vec3 cell = nprPickedPart == 1 ? nprCellVSOut.rgb : vec3(nprCellVSOut.a, 0.0, 0.0);
+  gl_FragData[0] = vec4(nprPickedPart == 0 ? nprPickedColor : cell, 1.0);
+  // Pickers ask the depth buffer where things are. In front of what is drawn there later.
+  vec2 pixel = nprAxisVSOut.xy + nprPlaceVSOut.x * axis + nprPlaceVSOut.y * vec2(-axis.y, axis.x);
+  gl_FragDepth = min(
+    0.5 * mix(nprDepthVSOut.x, nprDepthVSOut.y, t) + 0.5, surface(pixel) - 1e-6);
+#else
   float ink = coverage * opacity * shown;
 #ifdef NPR_COLORED
   // The colour of the most ink stays, by the depth test.
@@ -148,5 +169,6 @@ void main()
   gl_FragDepth = 1.0 - ink * color.a;
 #else
   gl_FragData[0] = vec4(ink);
+#endif
 #endif
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRStrokeMapper.h"
 
+#include "nprPostponedStrokes.h"
 #include "nprStrokeGraphics.h"
 #include "vtkNPRStrokeCompositeFS.h"
 #include "vtkNPRStrokeFS.h"
@@ -12,6 +13,7 @@
 #include <vtkActor.h>
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
+#include <vtkDataObject.h>
 #include <vtkHardwareSelector.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
@@ -68,7 +70,8 @@ Translucency GetTranslucency(vtkActor* actor)
 
 vtkStandardNewMacro(vtkNPRStrokeMapper);
 
-vtkNPRStrokeMapper::vtkNPRStrokeMapper() : Graphics(new npr::StrokeGraphics)
+vtkNPRStrokeMapper::vtkNPRStrokeMapper()
+  : Graphics(new npr::StrokeGraphics), Postponed(new npr::PostponedStrokes)
 {
   this->ScalarVisibility = 0;
 }
@@ -87,7 +90,10 @@ void vtkNPRStrokeMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (renderer->GetSelector())
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector &&
+    (selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_CELLS ||
+      npr::StrokePicking::IsDrawingDepth()))
   {
     return;
   }
@@ -97,14 +103,6 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
                   "vtkOpenGLRenderWindow. Link and initialise VTK::RenderingOpenGL2.");
     return;
   }
-  const Translucency translucency = GetTranslucency(actor);
-  if (translucency == Translucency::Peeled)
-  {
-    vtkWarningMacro("Strokes can not be drawn with depth peeling. Call "
-                    "vtkRenderer::SetUseDepthPeeling(false).");
-    return;
-  }
-
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
   if (!this->Static)
   {
@@ -129,13 +127,34 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   const bool hasColors = this->Colors && this->Colors->GetNumberOfComponents() == 4;
   const bool ofCells = hasColors && this->AreColorsOfCells();
   this->Graphics->UploadColors(hasColors ? this->Colors : nullptr, ofCells);
-  vtkShaderProgram* program = this->ReadyProgram();
-  if (!program)
+  const Translucency translucency = GetTranslucency(actor);
+  if (selector)
   {
-    vtkErrorMacro("The stroke shaders did not compile; OpenGL 3.2 or later is needed.");
-    return;
+    this->DrawForSelection(renderer, actor);
+  }
+  else if (translucency == Translucency::Peeled)
+  {
+    this->Postpone(renderer, actor);
+  }
+  else
+  {
+    this->DrawStrokes(renderer, actor, translucency == Translucency::OrderIndependent);
   }
 
+  timer->StopTimer();
+  this->TimeToDraw = std::max(timer->GetElapsedTime(), 1e-4); // zero would mean: not drawn
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRStrokeMapper::DrawStrokes(vtkRenderer* renderer, vtkActor* actor, bool orderIndependent)
+{
+  vtkShaderProgram* program = this->ReadyProgram("");
+  if (!program)
+  {
+    return;
+  }
+  vtkOpenGLRenderWindow* window = this->Graphics->GetWindow();
   vtkOpenGLClearErrorMacro();
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
@@ -148,12 +167,8 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
   this->DrawInk(renderer, actor, program);
-  this->LayInkOver(actor, translucency == Translucency::OrderIndependent);
+  this->LayInkOver(actor, orderIndependent);
   vtkOpenGLCheckErrorMacro("failed after drawing strokes");
-
-  timer->StopTimer();
-  this->TimeToDraw = std::max(timer->GetElapsedTime(), 1e-4); // zero would mean: not drawn
-  this->UpdateProgress(1.0);
 }
 
 bool vtkNPRStrokeMapper::AreColorsOfCells()
@@ -171,12 +186,12 @@ bool vtkNPRStrokeMapper::IsStyled() const
     (this->HiddenDashes[1] > 0.0 && this->HiddenOpacity > 0.0);
 }
 
-vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram()
+vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram(const std::string& purpose)
 {
   std::string vertex = vtkNPRStrokeVS;
   std::string fragment = vtkNPRStrokeFS;
   const bool styled = this->IsStyled();
-  const std::string variant =
+  const std::string variant = purpose +
     std::string(styled ? "#define NPR_STYLED\n#define NPR_COSINE_OF_CORNER 0.95\n" : "") +
     (this->Graphics->HasColors() ? "#define NPR_COLORED\n" : "");
   for (std::string* shader : { &vertex, &fragment })
@@ -186,8 +201,13 @@ vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram()
   vtkShaderProgram::Substitute(fragment, "//NPR::Styled::Dec", styled ? vtkNPRStrokeStyledFS : "");
   vtkShaderProgram::Substitute(
     fragment, "//NPR::Styled::Impl", styled ? vtkNPRStrokeStyledMainFS : "");
-  return this->Graphics->GetWindow()->GetShaderCache()->ReadyShaderProgram(
+  vtkShaderProgram* program = this->Graphics->GetWindow()->GetShaderCache()->ReadyShaderProgram(
     vertex.c_str(), fragment.c_str(), "");
+  if (!program)
+  {
+    vtkErrorMacro("The stroke shaders did not compile; OpenGL 3.2 or later is needed.");
+  }
+  return program;
 }
 
 void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program)
@@ -228,7 +248,8 @@ void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShad
     }
 
     this->SetUniforms(renderer, actor, program, viewport);
-    graphics.Draw(program, depthTest, this->IsStyled());
+    program->SetUniformi("nprDepthTest", depthTest);
+    graphics.Draw(program, depthTest ? graphics.Layer.GetDepth() : nullptr, this->IsStyled());
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglBlendEquationSeparate(equations[0], equations[1]);
   }

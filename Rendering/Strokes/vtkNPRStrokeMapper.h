@@ -24,9 +24,15 @@
  * with a round cap as at any other end.
  *
  * Strokes are drawn in the translucent phase, when all opaque surfaces are in the depth buffer, and
- * write no depth: translucent surfaces don't hide them. They have no part in hardware selection.
- * With depth peeling they are not drawn, with a warning; VTK's default order-independent
- * translucency is served.
+ * write no depth: translucent surfaces don't hide them. With depth peeling they are laid over the
+ * picture at the renderer's end instead, also over its volumes and annotations; opaque surfaces
+ * hide them as ever, translucent ones still don't.
+ *
+ * vtkHardwareSelector and what is built on it (vtkPropPicker, vtkScenePicker) find actors and
+ * cells, not points, where strokes are drawn: as wide as they are drawn, and not where they are
+ * hidden or in the gaps between dashes. In selections, VTK takes translucent surfaces for opaque
+ * ones, which hide strokes. vtkCellPicker finds lines within its tolerance, as for any mapper,
+ * whatever their width.
  *
  * Point arrays that are used if present: `Width` and `Opacity` (factors), `Strength` ([0, 1]),
  * `ArcLength` (unit: length; measured if it is not there). Cell array: `HidingLayers`.
@@ -53,6 +59,7 @@
 
 #include "nprVTKCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include <memory>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkShaderProgram;
@@ -62,6 +69,7 @@ VTK_ABI_NAMESPACE_END
 namespace npr
 {
 class StrokeGraphics;
+struct PostponedStrokes;
 }
 #endif
 
@@ -277,6 +285,7 @@ public:
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
+  bool GetSupportsSelection() override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
@@ -313,15 +322,20 @@ private:
 
   bool IsStyled() const;
   bool AreColorsOfCells();
-  vtkShaderProgram* ReadyProgram();
+  vtkShaderProgram* ReadyProgram(const std::string& purpose);
+  void DrawStrokes(vtkRenderer* renderer, vtkActor* actor, bool orderIndependent);
   void DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
   void SetUniforms(
     vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
   void SetStyleUniforms(vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
   void SetClippingUniforms(vtkActor* actor, vtkShaderProgram* program);
   void LayInkOver(vtkActor* actor, bool orderIndependent);
+  void Postpone(vtkRenderer* renderer, vtkActor* actor);
+  void DrawPostponed();
+  void DrawForSelection(vtkRenderer* renderer, vtkActor* actor);
 
   std::unique_ptr<npr::StrokeGraphics> Graphics;
+  std::unique_ptr<npr::PostponedStrokes> Postponed;
 };
 
 #endif

@@ -106,8 +106,10 @@ void vtkNPRStrokeMapper::SetStyleUniforms(
   setDashes("nprHiddenDashes", this->HiddenDashes);
   const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
   program->SetUniformf("nprDashScale", this->DashUnit == WORLD ? static_cast<float>(scale) : 0.0f);
-  program->SetUniformi("nprMedium", this->Medium);
-  program->SetUniformf("nprPaperGrain", static_cast<float>(this->PaperGrain));
+  // Strokes are picked where the pen went, also between the grains that it left.
+  const bool picked = program->IsUniformUsed("nprPickedColor");
+  program->SetUniformi("nprMedium", picked ? static_cast<int>(INK) : this->Medium);
+  program->SetUniformf("nprPaperGrain", picked ? 0.0f : static_cast<float>(this->PaperGrain));
   program->SetUniformf("nprGrainSize", static_cast<float>(this->GrainSize));
   program->SetUniformi("nprSeed", this->Seed);
   // A tile is a part of the page.

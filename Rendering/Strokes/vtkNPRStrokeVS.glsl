@@ -41,6 +41,11 @@ flat out vec4 nprStartColorVSOut;
 flat out vec4 nprEndColorVSOut;
 #endif
 
+#ifdef NPR_PICKED
+uniform samplerBuffer nprCells; // numbers of the segments' cells, by bytes
+flat out vec4 nprCellVSOut;
+#endif
+
 #ifdef NPR_STYLED
 uniform samplerBuffer nprPageLengths; // of the points along their strokes, pixels
 uniform float nprDashScale;  // from arc lengths to the unit of dashes; 0 where that is a pixel
@@ -138,6 +143,9 @@ void main()
 #ifdef NPR_COLORED
   nprStartColorVSOut = nprEndColorVSOut = vec4(0.0);
 #endif
+#ifdef NPR_PICKED
+  nprCellVSOut = vec4(0.0);
+#endif
 #ifdef NPR_STYLED
   nprNeighboursVSOut = vec4(0.0);
   nprLengthsVSOut = vec4(0.0);
@@ -197,6 +205,9 @@ void main()
   vec4 endColor = texelFetch(nprColors, segment + 1);
   nprStartColorVSOut = mix(startColor, endColor, range.x);
   nprEndColorVSOut = mix(startColor, endColor, range.y);
+#endif
+#ifdef NPR_PICKED
+  nprCellVSOut = texelFetch(nprCells, segment);
 #endif
   nprHiddenVSOut = (startKind & Hidden) != 0 ? 1.0 : 0.0;
   vec2 side = vec2((corner & 1) == 0 ? -1.0 : 1.0, (corner & 2) == 0 ? -1.0 : 1.0);
