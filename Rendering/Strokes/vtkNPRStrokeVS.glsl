@@ -151,7 +151,9 @@ void main()
   nprLengthsVSOut = vec4(0.0);
   nprStrokeVSOut = 0;
 #endif
-  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  // No area. Beyond the picture it would have to be clipped, and software renderers then send all
+  // triangles around it the slow way.
+  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
   if ((startKind & Drawn) == 0 || range.x > range.y)
   {
     return;
