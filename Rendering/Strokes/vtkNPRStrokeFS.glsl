@@ -113,8 +113,9 @@ float halfPlaneCoverage(float distance, vec2 direction)
 float stripCoverage(float across, float radius, vec2 direction)
 {
   float distance = abs(across);
-  return halfPlaneCoverage(radius - distance, direction) -
-    halfPlaneCoverage(-radius - distance, direction);
+  float covered = halfPlaneCoverage(radius - distance, direction);
+  // Only strokes thinner than a pixel's diagonal have both edges in one.
+  return radius < 0.7072 ? covered - halfPlaneCoverage(-radius - distance, direction) : covered;
 }
 
 //NPR::Styled::Dec
@@ -139,11 +140,14 @@ void main()
   float coverage = stripCoverage(distance, radius, direction);
   float opacity = mix(nprInkVSOut.y, nprInkVSOut.w, t);
   float visible = nprUseHidingLayers != 0 ? 1.0 - nprHiddenVSOut : 1.0;
+#ifndef NPR_UNTESTED
+  // Software renderers pay for this also where the condition is false.
   if (nprDepthTest != 0)
   {
     visible *=
       visibility(nprAxisVSOut.xy + along * axis, mix(nprDepthVSOut.x, nprDepthVSOut.y, t));
   }
+#endif
   float shown = mix(nprHiddenOpacity, 1.0, visible);
   float undashed = shown;
 //NPR::Styled::Impl

@@ -193,7 +193,8 @@ vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram(const std::string& purpose)
   const bool styled = this->IsStyled();
   const std::string variant = purpose +
     std::string(styled ? "#define NPR_STYLED\n#define NPR_COSINE_OF_CORNER 0.95\n" : "") +
-    (this->Graphics->HasColors() ? "#define NPR_COLORED\n" : "");
+    (this->Graphics->HasColors() ? "#define NPR_COLORED\n" : "") +
+    (this->DepthTest ? "" : "#define NPR_UNTESTED\n");
   for (std::string* shader : { &vertex, &fragment })
   {
     vtkShaderProgram::Substitute(*shader, "//NPR::Variant::Dec", variant);
