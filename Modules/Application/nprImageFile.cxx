@@ -141,13 +141,17 @@ void CheckWritable(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void CheckImageFile(const std::string& file)
+void CheckImageFile(const std::string& file, const std::vector<std::string>& others)
 {
   if (!MakeWriter(file))
   {
+    std::string known = ".png, .jpg, .tif, .bmp";
+    for (const std::string& other : others)
+    {
+      known += ", " + other;
+    }
     throw CommandError(UsageError,
-      file + ": unknown kind of image '" + ExtensionOf(file) +
-        "'; write .png, .jpg, .tif, .bmp or .ppm");
+      file + ": unknown kind of image '" + ExtensionOf(file) + "'; write " + known + " or .ppm");
   }
   CheckWritable(file);
 }

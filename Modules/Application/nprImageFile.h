@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -19,7 +20,8 @@ std::string ExtensionOf(const std::string& file);
 
 /// Before any long work: is the extension one that can be written, does the folder exist?
 /// Throws a CommandError that says what to do.
-void CheckImageFile(const std::string& file);
+/// `others` are extensions that somebody else writes, for the message.
+void CheckImageFile(const std::string& file, const std::vector<std::string>& others = {});
 void CheckWritable(const std::string& file);
 
 void WriteImage(vtkImageData* image, const std::string& file);

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCommands.h"
 
+#include "nprDrawingOptions.h"
 #include "nprImageFile.h"
 #include "nprRenderJob.h"
 #include "nprReporter.h"
 #include "nprStyleOptions.h"
 #include "nprViewOptions.h"
+#include "vtkNPRDrawingWriter.h"
 #include "vtkNPRIllustrationStyle.h"
 
 #include <vtkNew.h>
@@ -24,24 +26,43 @@ struct RenderOptions
   ModelOptions Models;
   ViewOptions View;
   StyleOptions Style;
+  DrawingOptions Drawing;
   std::string Output;
 };
 
 void Render(const RenderOptions& options, Reporter& reporter)
 {
   // All that can be refused is refused before the long work.
-  CheckImageFile(options.Output);
   const std::array<int, 2> size = options.View.GetSize();
-  options.View.Parse();
+  const ViewSpecification view = options.View.Parse();
+  vtkSmartPointer<vtkNPRDrawingWriter> drawing;
+  if (IsDrawingFile(options.Output))
+  {
+    drawing = options.Drawing.MakeWriter(options.Output, view.IsParallel, size);
+  }
+  else
+  {
+    CheckImageFile(options.Output, { ".svg", ".pdf" });
+    options.Drawing.RefuseFor(options.Output);
+  }
   vtkNew<vtkNPRIllustrationStyle> style;
   options.Style.ApplyTo(style, reporter);
+  const bool withShading = drawing && options.Drawing.WantsShading(style);
 
-  RenderJob job(reporter, size);
+  RenderJob job(reporter, size, !drawing || withShading);
   reporter.BeginStage("read");
   options.Models.Import(job.GetRenderer(), reporter);
   reporter.EndStage();
   options.View.Apply(job.GetRenderer(), options.Models);
-  job.Run(style, options.Output, options.Style.IsTransparent());
+  if (drawing)
+  {
+    options.Drawing.FitViewToPage(job.GetRenderer(), drawing);
+    job.RunDrawing(style, drawing, options.Output, withShading, options.Style.IsTransparent());
+  }
+  else
+  {
+    job.Run(style, options.Output, options.Style.IsTransparent());
+  }
   reporter.PrintStages();
 }
 }
@@ -49,19 +70,26 @@ void Render(const RenderOptions& options, Reporter& reporter)
 //------------------------------------------------------------------------------
 void AddRenderCommand(CLI::App& program, Reporter& reporter)
 {
-  CLI::App* command = program.add_subcommand("render", "Draw models into an image");
+  CLI::App* command =
+    program.add_subcommand("render", "Draw models into an image or a vector drawing");
   auto options = std::make_shared<RenderOptions>();
   options->Models.AddTo(*command);
-  command->add_option("-o,--output", options->Output, "The image: .png, .jpg, .tif, .bmp or .ppm")
+  command
+    ->add_option("-o,--output", options->Output,
+      "The image: .png, .jpg, .tif, .bmp or .ppm; or the vector drawing: .svg or .pdf")
     ->required();
   options->Style.AddTo(*command);
   options->View.AddTo(*command);
+  options->Drawing.AddTo(*command);
   command->footer(
     "Examples:\n"
     "  npr render scan.ply -o scan.png\n"
     "  npr render part.stl -o part.png --style ink --projection parallel\n"
     "  npr render head.nii.gz --iso 60 -o head.png --view 40,10\n"
-    "  npr render a.obj b.obj -o both.png --style mine.json --background transparent");
+    "  npr render a.obj b.obj -o both.png --style mine.json --background transparent\n"
+    "  npr render scan.ply -o scan.svg --style ink\n"
+    "  npr render part.stl -o part.pdf --hidden dashed --projection parallel --scale 1:2 "
+    "--scale-bar");
   command->callback([options, &reporter]() { Render(*options, reporter); });
 }
 }

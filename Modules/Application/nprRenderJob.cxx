@@ -4,11 +4,15 @@
 
 #include "nprImageFile.h"
 #include "nprReporter.h"
+#include "vtkNPRDrawingStyle.h"
+#include "vtkNPRDrawingWriter.h"
 #include "vtkNPRIllustration.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPROffscreen.h"
 
+#include <vtkErrorCode.h>
 #include <vtkImageData.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
@@ -50,9 +54,12 @@ vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window, Reporter& repor
 }
 
 //------------------------------------------------------------------------------
-RenderJob::RenderJob(Reporter& reporter, const std::array<int, 2>& size)
-  : Output(reporter), Window(MakeWindow(reporter, size))
+RenderJob::RenderJob(Reporter& reporter, const std::array<int, 2>& size, bool withPixels)
+  : Output(reporter),
+    Window(withPixels ? MakeWindow(reporter, size) : vtkSmartPointer<vtkRenderWindow>::New())
 {
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetSize(size[0], size[1]);
   this->Window->AddRenderer(this->Renderer);
   this->Illustration->SetRenderer(this->Renderer);
   reporter.Watch(this->Illustration, "preparing");
@@ -108,13 +115,19 @@ vtkSmartPointer<vtkImageData> RenderJob::Draw()
 }
 
 //------------------------------------------------------------------------------
-void RenderJob::AddStages(double seconds)
+void RenderJob::AddIllustrationStages()
 {
-  // The lines are extracted while the first image is drawn.
   for (const char* stage : { "prepare", "curvature", "lines" })
   {
     this->Output.AddStage(stage, this->Illustration->GetStageSeconds(stage));
   }
+}
+
+//------------------------------------------------------------------------------
+void RenderJob::AddStages(double seconds)
+{
+  this->AddIllustrationStages();
+  // The lines are extracted while the first image is drawn.
   this->Output.AddStage("draw", seconds - this->Illustration->GetStageSeconds("lines"));
 }
 
@@ -126,6 +139,62 @@ void RenderJob::Run(vtkNPRIllustrationStyle* style, const std::string& file, boo
   this->AddStages(this->Output.StopClock());
   this->Output.BeginStage("write");
   WriteImage(image, file);
+  this->Output.EndStage();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> RenderJob::DrawShading(bool transparent)
+{
+  const auto setLines = [this](bool visible)
+  {
+    for (int type = 0; type < this->Illustration->GetNumberOfLineTypes(); ++type)
+    {
+      this->Illustration->SetLineVisibility(type, visible);
+    }
+  };
+  setLines(false);
+  const vtkSmartPointer<vtkImageData> image = transparent ? this->DrawWithoutPaper() : this->Draw();
+  setLines(true);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void RenderJob::RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* writer,
+  const std::string& file, bool withShading, bool transparent)
+{
+  this->Apply(style);
+  if (withShading)
+  {
+    writer->SetImage(this->DrawShading(transparent));
+    this->Output.AddStage("shade", this->Output.StopClock());
+  }
+  vtkNew<vtkPolyData> strokes;
+  this->Illustration->GetStrokes(strokes);
+  this->Output.ThrowOnVTKError(RenderError);
+  this->AddIllustrationStages();
+  for (const char* stage : { "visibility", "strokes" })
+  {
+    this->Output.AddStage(stage, this->Illustration->GetStageSeconds(stage));
+  }
+
+  this->Output.BeginStage("write");
+  vtkNew<vtkNPRDrawingStyle> inks;
+  style->GetDrawingStyle(inks, writer->GetShorterSide());
+  writer->SetStyle(inks);
+  writer->SetCamera(this->Renderer->GetActiveCamera());
+  writer->SetInputData(strokes);
+  WriteWhole(file,
+    [&](const std::string& partial)
+    {
+      writer->SetFileName(partial.c_str());
+      writer->Write();
+      if (writer->GetErrorCode() == vtkErrorCode::UserError)
+      {
+        this->Output.ThrowOnVTKError(OtherError);
+      }
+      this->Output.DropVTKErrors(); // who writes whole files says it
+      return writer->GetErrorCode() == vtkErrorCode::NoError;
+    });
   this->Output.EndStage();
 }
 }

@@ -14,6 +14,7 @@
 #include <string>
 
 class vtkImageData;
+class vtkNPRDrawingWriter;
 class vtkNPRIllustration;
 class vtkNPRIllustrationStyle;
 class vtkRenderWindow;
@@ -33,7 +34,8 @@ vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window, Reporter& repor
 class RenderJob
 {
 public:
-  RenderJob(Reporter& reporter, const std::array<int, 2>& size);
+  /// Without pixels, the window is only there for its size: this needs no graphics.
+  RenderJob(Reporter& reporter, const std::array<int, 2>& size, bool withPixels = true);
   ~RenderJob();
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
@@ -41,6 +43,11 @@ public:
 
   /// Illustrate what the renderer shows and write it. May be called again with another style.
   void Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent);
+
+  /// Illustrate what the renderer shows and write it as a vector drawing, with a picture of the
+  /// shading below if asked. The writer has its page.
+  void RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* writer,
+    const std::string& file, bool withShading, bool transparent);
 
   /// @name The steps of Run() but the last, for those who draw more than one picture
   ///@{
@@ -51,6 +58,8 @@ public:
   ///@}
 
 private:
+  void AddIllustrationStages();
+  vtkSmartPointer<vtkImageData> DrawShading(bool transparent);
   vtkSmartPointer<vtkImageData> DrawWithoutPaper();
 
   Reporter& Output;

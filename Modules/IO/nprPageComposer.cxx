@@ -124,7 +124,6 @@ public:
     this->TellFacts(drawing);
     for (LayerPlan& plan : plans)
     {
-      plan.Rule.WidthPerPixel = this->MillimetresPerPixel;
       PageLayer layer = this->DrawLayer(plan);
       if (!layer.Shapes.empty())
       {
@@ -164,7 +163,7 @@ private:
         {
           plan.Ink.Dashes.clear();
         }
-        plan.Rule = { plan.Ink.Width, 0.0, plan.Ink.Taper };
+        plan.Rule = { plan.Ink.Width, plan.Ink.Taper };
       }
     }
     for (vtkIdType line = 0; line < this->Input.GetNumberOfLines(); ++line)

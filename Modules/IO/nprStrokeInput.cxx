@@ -93,7 +93,7 @@ double StrokeInput::GetWidth(vtkIdType point, const WidthRule& rule) const
   double width = rule.Width;
   if (this->Widths)
   {
-    width = rule.WidthPerPixel * this->Widths->GetComponent(point, 0);
+    width *= this->Widths->GetComponent(point, 0);
   }
   if (this->Strengths && rule.Taper < 1.0)
   {

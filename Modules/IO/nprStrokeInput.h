@@ -28,14 +28,12 @@ public:
   const std::vector<std::string>& GetTypeNames() const { return this->TypeNames; }
   int GetType(vtkIdType line) const;
   bool IsHidden(vtkIdType line) const;
-  bool HasWidths() const { return this->Widths != nullptr; }
 
   /// What a line's width at a point depends on.
   struct WidthRule
   {
-    double Width;         // without an array of widths
-    double WidthPerPixel; // with one
-    double Taper;         // the share that is left without strength
+    double Width; // times the array of widths, where there is one
+    double Taper; // the share that is left without strength
   };
 
   struct Chain

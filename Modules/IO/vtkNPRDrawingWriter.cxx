@@ -105,6 +105,23 @@ void vtkNPRDrawingWriter::GetPageSize(double size[2]) const
 }
 
 //------------------------------------------------------------------------------
+double vtkNPRDrawingWriter::GetShorterSide() const
+{
+  double room[2];
+  this->GetPageSize(room);
+  for (double& side : room)
+  {
+    side = std::max(side - 2.0 * this->GetUsedMargin(), 0.0);
+  }
+  if (this->Fit != FIT_VIEWPORT || this->ViewportSize[0] < 1 || this->ViewportSize[1] < 1)
+  {
+    return std::min(room[0], room[1]);
+  }
+  return std::min(room[0] / this->ViewportSize[0], room[1] / this->ViewportSize[1]) *
+    std::min(this->ViewportSize[0], this->ViewportSize[1]);
+}
+
+//------------------------------------------------------------------------------
 int vtkNPRDrawingWriter::FillInputPortInformation(int, vtkInformation* information)
 {
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -118,7 +135,7 @@ npr::PageRequest vtkNPRDrawingWriter::MakeRequest()
   request.Camera = this->Camera;
   std::copy_n(this->ViewportSize, 2, request.Viewport);
   this->GetPageSize(request.Size);
-  request.Margin = this->Paper == VIEWPORT_PAPER ? 0.0 : this->Margin;
+  request.Margin = this->GetUsedMargin();
   request.Fit = static_cast<npr::PageFit>(this->Fit);
   request.MillimetresPerUnit = this->MillimetresPerUnit;
   request.Scale = this->Scale;

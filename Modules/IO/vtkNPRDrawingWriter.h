@@ -10,12 +10,11 @@
  *
  * Arrays that are used if present:
  *
- * | array | of | use |
- * | --- | --- | --- |
- * | `LineType` | cells | the place of a line's type in `LineTypeNames` (field data), which has its
- * look in the style and a layer by its name | | `HidingLayers` | cells | lines with other values
- * than 0 are hidden | | `Strength` | points | tapers lines whose style says so | | `Width` | points
- * | widths in pixels of the viewport, in place of the style's |
+ * - `LineType` (cells): the place of a line's type in `LineTypeNames` (field data), which has its
+ *   look in the style and a layer by its name;
+ * - `HidingLayers` (cells): lines with other values than 0 are hidden;
+ * - `Strength` (points): tapers lines whose style says so;
+ * - `Width` (points): factors of the style's width.
  *
  * Each line type has a layer of its visible and one of its hidden lines. Strokes are cubic curves
  * with corners where the lines have them (see CornerAngle); they pass all points within Tolerance.
@@ -116,6 +115,13 @@ public:
   void SetPageSize(double width, double height);
   /** Size of the page in millimetres, as the settings are now. */
   void GetPageSize(double size[2]) const;
+
+  /**
+   * The shorter side of the picture in millimetres, as the settings are now: what styles that know
+   * no paper measure their lines by. The viewport's for FIT_VIEWPORT, else that of the room within
+   * the margins. 0 for pages without room.
+   */
+  double GetShorterSide() const;
 
   ///@{
   /** Width of the margins in millimetres, not negative. Default: 10. */
@@ -247,6 +253,10 @@ private:
   void operator=(const vtkNPRDrawingWriter&) = delete;
 
   npr::PageRequest MakeRequest();
+  double GetUsedMargin() const
+  {
+    return this->Paper == VIEWPORT_PAPER ? 0.0 : this->Margin;
+  }
   void WriteBytes(const std::string& bytes);
 
   vtkSmartPointer<vtkCamera> Camera;

@@ -109,18 +109,15 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
 
   vtkNPRFeatureLines* lines = this->Pipeline.GetFeatureLines();
   lines->SetMatrix(actor->GetMatrix());
-  for (std::size_t i = 0; i < style.Lines.size(); ++i)
+  for (const LineStyle& line : GetDrawnLines(style))
   {
-    if (!style.Lines[i].Optional)
-    {
-      this->AllStrokes.emplace_back(style.Lines[i], lines->GetNumberOfDefinitions(),
-        style.Lights.empty() ? LightStyle() : style.Lights.front(), this->Pipeline,
-        actor->GetMatrix());
-      LineStrokes& strokes = this->AllStrokes.back();
-      strokes.GetMapper()->SetClippingPlanes(this->OriginalMapper->GetClippingPlanes());
-      renderer->AddActor(strokes.GetActor());
-      lines->AddDefinition(MakeLineDefinition(style.Lines[i], "/lines/" + std::to_string(i)));
-    }
+    this->AllStrokes.emplace_back(line, lines->GetNumberOfDefinitions(),
+      style.Lights.empty() ? LightStyle() : style.Lights.front(), this->Pipeline,
+      actor->GetMatrix());
+    LineStrokes& strokes = this->AllStrokes.back();
+    strokes.GetMapper()->SetClippingPlanes(this->OriginalMapper->GetClippingPlanes());
+    renderer->AddActor(strokes.GetActor());
+    lines->AddDefinition(MakeLineDefinition(line, "/lines"));
   }
   if (lines->GetNumberOfDefinitions() == 0)
   {
@@ -174,10 +171,16 @@ void ActorIllustration::SetLineVisibility(int index, bool visible)
 }
 
 //------------------------------------------------------------------------------
+bool ActorIllustration::IsShown()
+{
+  return this->Actor->GetVisibility() && this->Actor->GetMapper() == this->SurfaceMapper &&
+    this->Renderer->HasViewProp(this->Actor);
+}
+
+//------------------------------------------------------------------------------
 void ActorIllustration::Follow(const PageScale& scale)
 {
-  const bool isShown = this->Actor->GetVisibility() &&
-    this->Actor->GetMapper() == this->SurfaceMapper && this->Renderer->HasViewProp(this->Actor);
+  const bool isShown = this->IsShown();
   for (LineStrokes& strokes : this->AllStrokes)
   {
     strokes.GetActor()->SetVisibility(isShown && strokes.IsVisible);

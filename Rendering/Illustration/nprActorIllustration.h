@@ -51,6 +51,12 @@ public:
   SurfacePipeline& GetPipeline() { return this->Pipeline; }
   vtkActor* GetActor() { return this->Actor; }
 
+  /// One for each definition, in order.
+  std::vector<LineStrokes>& GetStrokes() { return this->AllStrokes; }
+
+  /// Whether the user shows the actor, with the illustration on it.
+  bool IsShown();
+
   /// Whether the lines of a definition (by its index) are drawn from the next frame on; all are at
   /// first.
   void SetLineVisibility(int index, bool visible);

@@ -4,6 +4,7 @@
 #define nprLineStrokes_h
 
 #include "nprPageScale.h"
+#include "nprStrokeFilters.h"
 #include "nprStyleDocument.h"
 
 #include <vtkSmartPointer.h>
@@ -12,9 +13,8 @@ class vtkActor;
 class vtkCamera;
 class vtkMatrix4x4;
 class vtkNPRLineSelection;
-class vtkNPRSplineStrokes;
-class vtkNPRStrokeAttributes;
 class vtkNPRStrokeMapper;
+class vtkPolyData;
 
 namespace npr
 {
@@ -24,7 +24,7 @@ class SurfacePipeline;
  * @class LineStrokes
  * @brief The strokes that draw one kind of line on one surface.
  *
- * lines -> selection -> splines -> attributes, where the style has any -> mapper.
+ * lines -> selection -> StrokeFilters -> mapper.
  */
 class LineStrokes
 {
@@ -46,11 +46,22 @@ public:
   /// for it when `resample` says so.
   void SetScale(const PageScale& scale, vtkCamera* camera, double modelPixel, bool resample);
 
+  /// @name For drawings on paper, where what is hidden is cut from the lines first
+  ///@{
+  /// The lines that are long enough, up to date.
+  vtkPolyData* GetLines();
+  /// The strokes along parts of them, which are in the world. Ends at which a line has been cut do
+  /// not taper.
+  vtkSmartPointer<vtkPolyData> MakeStrokes(
+    vtkPolyData* parts, const PageScale& scale, vtkCamera* camera) const;
+  ///@}
+
 private:
   LineStyle Style;
+  LightStyle Light;
+  bool IsStraight;
   vtkSmartPointer<vtkNPRLineSelection> Selection;
-  vtkSmartPointer<vtkNPRSplineStrokes> Splines;
-  vtkSmartPointer<vtkNPRStrokeAttributes> Attributes; // null where the style needs none
+  StrokeFilters Filters;
   vtkSmartPointer<vtkNPRStrokeMapper> Mapper;
   vtkSmartPointer<vtkActor> Actor;
 };

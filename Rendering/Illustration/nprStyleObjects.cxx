@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <locale>
 #include <sstream>
 
@@ -182,6 +183,32 @@ bool NeedsCurvature(const LineStyle& line, const std::string& path)
   return std::any_of(arrays.begin(), arrays.end(),
     [](const vtkNPRLineDefinition::RequiredArray& array)
     { return array.Maker && array.Maker == std::string("vtkNPRCurvatureTensor"); });
+}
+
+//------------------------------------------------------------------------------
+std::vector<LineStyle> GetDrawnLines(const StyleDocument& document)
+{
+  std::vector<LineStyle> lines;
+  std::copy_if(document.Lines.begin(), document.Lines.end(), std::back_inserter(lines),
+    [](const LineStyle& line) { return !line.Optional; });
+  return lines;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetLineNames(const StyleDocument& document)
+{
+  std::vector<std::string> names;
+  for (const LineStyle& line : GetDrawnLines(document))
+  {
+    const std::string name = MakeLineDefinition(line, "/lines")->GetName();
+    std::string other = name;
+    for (int i = 2; std::find(names.begin(), names.end(), other) != names.end(); ++i)
+    {
+      other = name + " " + std::to_string(i);
+    }
+    names.push_back(other);
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------

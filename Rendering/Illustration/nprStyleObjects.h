@@ -15,6 +15,7 @@
 #include <vtkSmartPointer.h>
 
 #include <string>
+#include <vector>
 
 class vtkNPRLineDefinition;
 class vtkNPRShadingStyle;
@@ -30,6 +31,12 @@ vtkSmartPointer<vtkNPRLineDefinition> MakeLineDefinition(
 
 /// Whether lines are made from curvature. @throws StyleError, as MakeLineDefinition().
 bool NeedsCurvature(const LineStyle& line, const std::string& path);
+
+/// The lines that are drawn, which are not optional.
+std::vector<LineStyle> GetDrawnLines(const StyleDocument& document);
+
+/// What the lines that are drawn are called, each otherwise. @throws StyleError
+std::vector<std::string> GetLineNames(const StyleDocument& document);
 
 /// What a word stands for as a parameter of a line: a text, or numbers parted by commas.
 ParameterValue ParseLineParameter(

@@ -5,12 +5,14 @@
 #include "nprActorIllustration.h"
 #include "nprArrayNames.h"
 #include "nprPageScale.h"
+#include "nprPaperStrokes.h"
 #include "nprStyleDocument.h"
 #include "nprStyleObjects.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRShadingPass.h"
 #include "vtkNPRShadingStyle.h"
+#include "vtkNPRStrokeVisibility.h"
 
 #include <vtkActor.h>
 #include <vtkAppendPolyData.h>
@@ -40,7 +42,7 @@ public:
   RendererIllustration(vtkRenderer* renderer, const npr::StyleDocument& style)
     : Renderer(renderer), Pass(renderer->GetPass()),
       AutomaticLights(renderer->GetAutomaticLightCreation()),
-      Gradient(renderer->GetGradientBackground())
+      Gradient(renderer->GetGradientBackground()), DepthPeeling(renderer->GetUseDepthPeeling())
   {
     // Strokes are not drawn with it.
     renderer->UseDepthPeelingOff();
@@ -123,6 +125,11 @@ class vtkNPRIllustration::Internals
 public:
   explicit Internals(vtkNPRIllustration* self) : Self(self) {}
 
+  int GetNumberOfLineTypes() const
+  {
+    return this->IsOn() ? static_cast<int>(this->LineNames.size()) : 0;
+  }
+
   bool IsOn() const { return this->OnRenderer != nullptr; }
 
   void Clear()
@@ -131,6 +138,7 @@ public:
     {
       this->Renderer->RemoveObserver(this->StartObserver);
     }
+    this->OnPaper.reset();
     this->Actors.clear();
     this->OnRenderer.reset();
     this->Renderer = nullptr;
@@ -140,6 +148,8 @@ public:
   {
     this->Renderer = renderer;
     this->OnRenderer = std::make_unique<RendererIllustration>(renderer, style);
+    this->OnPaper = std::make_unique<npr::PaperStrokes>();
+    this->LineNames = npr::GetLineNames(style);
 
     // Only what stands in the renderer itself: the parts of an assembly have its matrix, too.
     std::vector<vtkActor*> actors;
@@ -196,6 +206,11 @@ public:
     }
   }
 
+  void GetStrokes(vtkPolyData* strokes, int maximumLayers)
+  {
+    this->OnPaper->Make(this->Actors, this->Renderer, this->LineNames, maximumLayers, strokes);
+  }
+
   void SetLineVisibility(int lineType, bool visible)
   {
     for (const auto& actor : this->Actors)
@@ -206,6 +221,11 @@ public:
 
   double GetSeconds(const std::string& stage) const
   {
+    if (this->OnPaper && (stage == "visibility" || stage == "strokes"))
+    {
+      return stage == "strokes" ? this->OnPaper->GetStrokesSeconds()
+                                : this->OnPaper->GetVisibilitySeconds();
+    }
     double seconds = 0.0;
     for (const auto& actor : this->Actors)
     {
@@ -243,6 +263,8 @@ private:
   vtkSmartPointer<vtkRenderer> Renderer;
   std::unique_ptr<RendererIllustration> OnRenderer;
   std::vector<std::unique_ptr<npr::ActorIllustration>> Actors;
+  std::unique_ptr<npr::PaperStrokes> OnPaper;
+  std::vector<std::string> LineNames;
   unsigned long StartObserver = 0;
 };
 
@@ -316,6 +338,31 @@ bool vtkNPRIllustration::GetLines(vtkPolyData* lines)
   }
   this->Internal->GetLines(lines);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustration::GetStrokes(vtkPolyData* strokes, int maximumLayers)
+{
+  if (!this->Internal->IsOn() || !strokes)
+  {
+    vtkErrorMacro(
+      "there are no strokes before Apply(), and none without a vtkPolyData to put them in");
+    return false;
+  }
+  if (!vtkNPRStrokeVisibility::IsAvailable())
+  {
+    vtkErrorMacro("what is hidden can not be found by this build, which has no Embree; configure "
+                  "it with -DNPR_USE_EMBREE=ON");
+    return false;
+  }
+  this->Internal->GetStrokes(strokes, std::max(maximumLayers, 1));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkNPRIllustration::GetNumberOfLineTypes() const
+{
+  return this->Internal->GetNumberOfLineTypes();
 }
 
 //------------------------------------------------------------------------------

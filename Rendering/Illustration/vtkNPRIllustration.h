@@ -78,12 +78,29 @@ public:
   /// false, with an error, before Apply().
   bool GetLines(vtkPolyData* lines);
 
+  /**
+   * The strokes that draw the lines of all actors for the camera as it stands, in the world, for a
+   * drawing on paper: long enough, smooth and shaped as the style says, and cut where surfaces hide
+   * them. Cell arrays HidingLayers (0 where they are visible; see vtkNPRStrokeVisibility) and
+   * LineType, by the names in the field data LineTypeNames, for which
+   * vtkNPRIllustrationStyle::GetDrawingStyle() gives the looks; point arrays Strength, and Width
+   * and Opacity where the style needs them. More hiding layers than `maximumLayers` are not
+   * counted. Hidden and visible pieces that are shorter than 0.002 of the image's shorter side are
+   * put together with their neighbours. Returns false, with an error, before Apply() and in builds
+   * without Embree. No window has to be rendered, but it must have its size.
+   */
+  bool GetStrokes(vtkPolyData* strokes, int maximumLayers = 1);
+
+  /// How many types of lines the style draws; 0 before Apply().
+  int GetNumberOfLineTypes() const;
+
   /// Whether lines of a LineType (see GetLines()) are drawn from the next render on. Nothing is
   /// prepared anew; Apply() shows all again.
   void SetLineVisibility(int lineType, bool visible);
 
   /// Seconds spent so far in "prepare", "curvature" or "lines", by the filters of the
-  /// illustration that is on the renderer; 0 for other names.
+  /// illustration that is on the renderer, and in "visibility" and "strokes" by GetStrokes(); 0 for
+  /// other names.
   double GetStageSeconds(const std::string& stage) const;
 
 protected:

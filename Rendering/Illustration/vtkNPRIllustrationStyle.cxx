@@ -3,6 +3,7 @@
 #include "vtkNPRIllustrationStyle.h"
 
 #include "nprBuiltInStyles.h"
+#include "nprDrawingInks.h"
 #include "nprStyleDocument.h"
 #include "nprStyleObjects.h"
 
@@ -247,6 +248,17 @@ bool vtkNPRIllustrationStyle::SetBackground(const std::string& color)
   this->ErrorMessage.clear();
   this->Modified();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIllustrationStyle::GetDrawingStyle(vtkNPRDrawingStyle* inks, double shorterSide) const
+{
+  npr::SetInks(*this->Document, 0.001 * shorterSide, inks);
+}
+
+bool vtkNPRIllustrationStyle::HasShading() const
+{
+  return !npr::IsPaper(this->Document->Shading);
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,8 @@
 #include <string> // for names and messages
 #include <vector> // for lists of names
 
+class vtkNPRDrawingStyle;
+
 #ifndef __VTK_WRAP__
 namespace npr
 {
@@ -73,6 +75,13 @@ public:
 
   /// Set the paper to one colour: "#rrggbb" or an HTML colour name.
   bool SetBackground(const std::string& color);
+
+  /// How the lines look on paper, where the picture's shorter side is so many millimetres long (see
+  /// vtkNPRDrawingWriter::GetShorterSide()): for the strokes of vtkNPRIllustration::GetStrokes().
+  void GetDrawingStyle(vtkNPRDrawingStyle* inks, double shorterSide) const;
+
+  /// Whether the style shades surfaces. If not, they have the colour of the paper.
+  bool HasShading() const;
 
   std::string GetName() const;
   std::string GetDescription() const;

@@ -76,11 +76,12 @@ void TestAgainstBruteForce(const Stroke& stroke)
   widths->SetName(npr::names::Width);
   for (const double width : stroke.Widths)
   {
-    widths->InsertNextValue(10 * width); // pixels: there are ten to a millimetre
+    widths->InsertNextValue(width / 0.5);
   }
   strokes->GetPointData()->AddArray(widths);
   vtkNew<vtkNPRSVGWriter> writer;
   SetPlainPage(writer, strokes);
+  writer->GetStyle()->SetWidth("lines", 0.5);
   const Drawing drawing = Draw(writer, folder + "StrokeOutlines.svg");
   const Layer* const layer = drawing.Find("lines (visible)");
   if (!check(layer && layer->Paths.size() == 1 && layer->Paths[0].Filled, stroke.Name + ": filled"))
