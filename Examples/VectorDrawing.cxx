@@ -1,77 +1,71 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a surface to a drawing on paper, as SVG and as PDF. No window is needed.
-#include <vtkNPRCurvatureTensor.h>
+// From a scene to a drawing on paper, as SVG and as PDF: what is hidden is dashed. Nothing is
+// rendered, so no display is needed.
 #include <vtkNPRDrawingStyle.h>
-#include <vtkNPRFeatureLines.h>
+#include <vtkNPRIllustration.h>
+#include <vtkNPRIllustrationStyle.h>
 #include <vtkNPRPDFWriter.h>
 #include <vtkNPRSVGWriter.h>
 #include <vtkNPRSampleSource.h>
-#include <vtkNPRSplineStrokes.h>
-#include <vtkNPRSurfaceNormals.h>
-#include <vtkNPRSurfacePreparation.h>
+#include <vtkNPRViewpoint.h>
 
-#include <vtkCamera.h>
+#include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <string>
-
-namespace
-{
-bool Write(vtkNPRDrawingWriter* writer, const std::string& file, vtkAlgorithm* strokes,
-  vtkCamera* camera, vtkNPRDrawingStyle* style)
-{
-  writer->SetInputConnection(strokes->GetOutputPort());
-  writer->SetCamera(camera);
-  writer->SetViewportSize(800, 600);
-  writer->SetStyle(style);
-  writer->SetFit(vtkNPRDrawingWriter::FIT_STROKES);
-  writer->SetTitle("The built-in sample");
-  writer->SetFileName(file.c_str());
-  return writer->Write() != 0;
-}
-}
 
 int main(int argc, char* argv[])
 {
   const std::string name = argc > 1 ? argv[1] : "VectorDrawing";
 
-  // Independent of the view.
+  // Any scene; here it is the built-in sample.
   vtkNew<vtkNPRSampleSource> sample;
-  vtkNew<vtkNPRSurfacePreparation> preparation;
-  preparation->SetInputConnection(sample->GetOutputPort());
-  vtkNew<vtkNPRSurfaceNormals> normals;
-  normals->SetInputConnection(preparation->GetOutputPort());
-  vtkNew<vtkNPRCurvatureTensor> tensor;
-  tensor->SetInputConnection(normals->GetOutputPort());
-  tensor->Update();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sample->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(800, 600);
+  window->AddRenderer(renderer);
+  vtkNew<vtkNPRViewpoint> viewpoint;
+  viewpoint->SetParallelProjection(true);
+  viewpoint->Apply(renderer);
 
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(5.0, 4.0, 10.0);
-  camera->ParallelProjectionOn();
-
-  // For this view: chained lines, then smooth strokes.
-  vtkNew<vtkNPRFeatureLines> lines;
-  lines->SetInputConnection(tensor->GetOutputPort());
-  for (const char* kind : { "contours", "suggestive", "creases" })
+  // The lines of a style, cut where they are hidden.
+  vtkNew<vtkNPRIllustrationStyle> style;
+  style->LoadBuiltIn("ink");
+  vtkNew<vtkNPRIllustration> illustration;
+  illustration->SetRenderer(renderer);
+  illustration->SetStyle(style);
+  vtkNew<vtkPolyData> strokes;
+  if (!illustration->Apply() || !illustration->GetStrokes(strokes))
   {
-    lines->AddDefinition(kind);
+    return EXIT_FAILURE;
   }
-  lines->SetCamera(camera);
-  lines->SetMinimumLength(0.03);
-  vtkNew<vtkNPRSplineStrokes> strokes;
-  strokes->SetSplineTypeToBSpline();
-  strokes->SetSmoothingIterations(6);
-  strokes->SetInputConnection(lines->GetOutputPort());
 
-  // As large as an A4 page holds.
-  vtkNew<vtkNPRDrawingStyle> style;
-  style->SetWidth("creases", 0.18);
+  // Both writers draw the same on an A4 page.
   vtkNew<vtkNPRSVGWriter> svg;
   vtkNew<vtkNPRPDFWriter> pdf;
-  const bool isWritten = Write(svg, name + ".svg", strokes, camera, style) &&
-    Write(pdf, name + ".pdf", strokes, camera, style);
-  return isWritten ? EXIT_SUCCESS : EXIT_FAILURE;
+  const auto write = [&](vtkNPRDrawingWriter* writer, const std::string& file)
+  {
+    writer->SetInputData(strokes);
+    writer->SetCamera(renderer->GetActiveCamera());
+    writer->SetViewportSize(window->GetSize());
+    vtkNew<vtkNPRDrawingStyle> inks;
+    style->GetDrawingStyle(inks, writer->GetShorterSide());
+    writer->SetStyle(inks);
+    writer->SetHiddenLines(vtkNPRDrawingWriter::HIDDEN_LINES_DASHED);
+    writer->SetTitle("The built-in sample");
+    writer->SetFileName(file.c_str());
+    return writer->Write() != 0;
+  };
+  return write(svg, name + ".svg") && write(pdf, name + ".pdf") ? EXIT_SUCCESS : EXIT_FAILURE;
 }
