@@ -358,6 +358,13 @@ void HidingLayers::FindSources()
       }
     }
   }
+  // A contour along a crease, and the last triangle before it turns away.
+  const bool isBesideEdgeOn = std::any_of(this->Own.begin(), this->Own.end(),
+    [this](const Step& step) { return std::abs(step.Normal.dot(this->ToEye)) <= SeenEdgeOn; });
+  if (isBesideEdgeOn)
+  {
+    this->Reach = std::max(this->Reach, ReachInPixels * this->PixelSize);
+  }
 }
 
 //------------------------------------------------------------------------------

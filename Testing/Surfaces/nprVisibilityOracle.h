@@ -370,6 +370,10 @@ private:
     for (const int source : sources)
     {
       own.Around[source] = this->GetAreaNormal(source).normalized();
+      if (std::abs(own.Around[source].dot(toEye)) <= 0.25)
+      {
+        own.Reach = std::max(own.Reach, 2.0 * pixelSize);
+      }
       queue.push_back(source);
     }
     for (std::size_t i = 0; i < queue.size(); ++i)
