@@ -13,8 +13,9 @@ namespace npr
 namespace
 {
 // The rule of vtkNPRStrokeVisibility, where these numbers are explained.
-constexpr double SeenEdgeOn = 0.25;  // cosine between the normal and the direction to the eye
-constexpr double ReachInSizes = 4.0; // of the triangle
+constexpr double SeenEdgeOn = 0.25;      // cosine between the normal and the direction to the eye
+constexpr double StripSeenEdgeOn = 0.06; // the same beside a crease
+constexpr double ReachInSizes = 4.0;     // of the triangle
 constexpr double ReachInPixels = 2.0;
 constexpr double ReachInGaps = 5.0; // of the point from the surface
 constexpr double OnEdgeInTolerances = 0.1;
@@ -358,9 +359,11 @@ void HidingLayers::FindSources()
       }
     }
   }
-  // A contour along a crease, and the last triangle before it turns away.
-  const bool isBesideEdgeOn = std::any_of(this->Own.begin(), this->Own.end(),
-    [this](const Step& step) { return std::abs(step.Normal.dot(this->ToEye)) <= SeenEdgeOn; });
+  // A contour along a crease, and the last strip of the surface before it that turns away.
+  const bool isBesideEdgeOn = this->Gap <= tolerance && !this->IsInside(this->Nearest) &&
+    std::any_of(this->Own.begin(), this->Own.end(),
+      [this](const Step& step)
+      { return std::abs(step.Normal.dot(this->ToEye)) <= StripSeenEdgeOn; });
   if (isBesideEdgeOn)
   {
     this->Reach = std::max(this->Reach, ReachInPixels * this->PixelSize);

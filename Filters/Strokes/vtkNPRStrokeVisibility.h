@@ -30,11 +30,11 @@
  * radius, other than creases and contour edges) and the surface is seen nearly edge-on (the cosine
  * between its normal and the view is no more than 0.25; the normal is the stroke's point array
  * Normals, or else the triangle's), it is at least 4 sizes of the triangle and at least 2 pixels.
- * Where any of the triangles that the point lies on is seen nearly edge-on, it is at least 2
- * pixels: just before a crease a smooth surface may turn away, and its contour is the crease. So
- * the two sides of a wall are never taken for one, however thin it is. A point on a triangle that
- * is seen exactly edge-on (the cosine is no more than 1e-4), as in views along an axis of a machine
- * part, has the lesser number of layers of the two sides of that triangle.
+ * Where the stroke runs along an edge, of a triangle whose own cosine is no more than 0.06, it is
+ * at least 2 pixels: just before a crease a smooth surface may turn away, and its contour is the
+ * crease. So the two sides of a wall are never taken for one, however thin it is. A point on a
+ * triangle that is seen exactly edge-on (the cosine is no more than 1e-4), as in views along an
+ * axis of a machine part, has the lesser number of layers of the two sides of that triangle.
  *
  * @par Where strokes are cut
  * The number of layers changes only where a contour edge or a border of a surface is in front of

@@ -366,11 +366,13 @@ private:
         }
       }
     }
+    const bool isOnEdge =
+      gap <= touching && this->GetDistanceFromBorder(point, nearest) <= 0.1 * touching;
     std::vector<int> queue;
     for (const int source : sources)
     {
       own.Around[source] = this->GetAreaNormal(source).normalized();
-      if (std::abs(own.Around[source].dot(toEye)) <= 0.25)
+      if (isOnEdge && std::abs(own.Around[source].dot(toEye)) <= 0.06)
       {
         own.Reach = std::max(own.Reach, 2.0 * pixelSize);
       }
