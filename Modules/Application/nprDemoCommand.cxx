@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprCommands.h"
 
+#include "nprDrawingOptions.h"
 #include "nprImageFile.h"
 #include "nprRenderJob.h"
 #include "nprReporter.h"
 #include "nprViewOptions.h"
+#include "vtkNPRDrawingWriter.h"
 #include "vtkNPRIllustrationStyle.h"
+#include "vtkNPRStrokeVisibility.h"
 
 #include <vtkNew.h>
 
@@ -43,12 +46,35 @@ std::string MakeIndexPage(const std::string& entries)
     entries + "</main>\n</body>\n</html>\n";
 }
 
-std::string MakeEntry(const std::string& name, const std::string& description)
+std::string MakeEntry(const std::string& file, const std::string& name,
+  const std::string& description, const std::string& words)
 {
-  return "<figure><a href=\"" + name + ".png\"><img src=\"" + name +
-    ".png\" alt=\"The sample in the style " + name + "\"></a>\n<figcaption><b>" + name +
-    "</b>: " + description + "<br><code>./run render MODEL -o IMAGE --style " + name +
-    "</code></figcaption></figure>\n";
+  return "<figure><a href=\"" + file + "\"><img src=\"" + file + "\" alt=\"The sample: " + name +
+    "\"></a>\n<figcaption><b>" + name + "</b>: " + description +
+    "<br><code>./run render MODEL -o " + words + "</code></figcaption></figure>\n";
+}
+
+/// A vector drawing, where this build can make one. Returns its entry in the page.
+std::string AddDrawing(
+  const DemoOptions& options, RenderJob& job, vtkNPRIllustrationStyle* style, Reporter& reporter)
+{
+  if (!vtkNPRStrokeVisibility::IsAvailable())
+  {
+    return {};
+  }
+  DrawingOptions drawing;
+  drawing.Hidden = "dashed";
+  const std::string file = (std::filesystem::path(options.Folder) / "drawing.svg").string();
+  const auto writer =
+    drawing.MakeWriter(file, options.View.Parse().IsParallel, options.View.GetSize());
+  style->LoadBuiltIn("ink");
+  job.RunDrawing(style, writer, file, false, false);
+  if (!reporter.Quiet)
+  {
+    std::printf("%s\n", file.c_str());
+  }
+  return MakeEntry("drawing.svg", "drawing", "Ink as a vector drawing, with dashed hidden lines",
+    "DRAWING.svg --style ink --hidden dashed");
 }
 
 void MakeDemo(const DemoOptions& options, Reporter& reporter)
@@ -74,12 +100,13 @@ void MakeDemo(const DemoOptions& options, Reporter& reporter)
     style->LoadBuiltIn(name);
     const std::string file = (folder / (name + ".png")).string();
     job.Run(style, file, false);
-    entries += MakeEntry(name, style->GetDescription());
+    entries += MakeEntry(name + ".png", name, style->GetDescription(), "IMAGE --style " + name);
     if (!reporter.Quiet)
     {
       std::printf("%s\n", file.c_str());
     }
   }
+  entries += AddDrawing(options, job, style, reporter);
   const std::string index = (folder / "index.html").string();
   WriteWhole(index,
     [&](const std::string& partial)

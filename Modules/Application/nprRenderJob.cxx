@@ -21,6 +21,13 @@
 
 namespace npr
 {
+namespace
+{
+// Of the picture's shorter side, a tenth of a line's width: what is smaller is the mesh's shape.
+// Drawings to scale are as exact as the writer's default.
+constexpr double ToleranceOfPen = 0.0003;
+}
+
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkRenderWindow> MakeWindow(Reporter& reporter, const std::array<int, 2>& size)
 {
@@ -181,6 +188,10 @@ void RenderJob::RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* 
   vtkNew<vtkNPRDrawingStyle> inks;
   style->GetDrawingStyle(inks, writer->GetShorterSide());
   writer->SetStyle(inks);
+  if (writer->GetFit() != vtkNPRDrawingWriter::TRUE_SCALE)
+  {
+    writer->SetTolerance(ToleranceOfPen * writer->GetShorterSide());
+  }
   writer->SetCamera(this->Renderer->GetActiveCamera());
   writer->SetInputData(strokes);
   WriteWhole(file,
