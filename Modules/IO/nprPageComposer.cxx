@@ -3,6 +3,7 @@
 #include "nprPageComposer.h"
 
 #include "nprCurveFit.h"
+#include "nprLineCover.h"
 #include "nprNumberText.h"
 #include "nprPageView.h"
 #include "nprScaleBar.h"
@@ -30,6 +31,8 @@ namespace
 constexpr double ThinningShare = 0.25;
 // What rounds a polyline by less than this is no corner; millimetres.
 constexpr double BendTolerance = 0.1;
+// Shorter pieces of hidden lines are not worth a cut; millimetres.
+constexpr double LeastHidden = 1.0;
 // Of the width of a stroke; millimetres a millimetre of the way.
 constexpr double WidthSlope = 0.2;
 
@@ -40,6 +43,8 @@ struct LayerPlan
   LineInk Ink;
   StrokeInput::WidthRule Rule;
   std::vector<vtkIdType> Lines;
+  bool IsHidden = false;
+  std::vector<std::vector<PageChain>> Chains; // of hidden lines, where they are to be seen
 };
 
 void Require(bool condition, const std::string& problem)
@@ -58,6 +63,18 @@ bool IsPositive(double value)
 std::string SizeText(double width, double height)
 {
   return NumberText(width) + " x " + NumberText(height);
+}
+
+std::vector<PageChain> CutAll(
+  const std::vector<PageChain>& chains, const LineCover& cover, double distance, double least)
+{
+  std::vector<PageChain> all;
+  for (const PageChain& chain : chains)
+  {
+    const std::vector<PageChain> parts = cover.Cut(chain, distance, least);
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  return all;
 }
 
 void CheckRequest(const PageRequest& request)
@@ -122,6 +139,7 @@ public:
     std::vector<LayerPlan> plans = this->PlanLayers();
     this->PlacePicture(plans, drawing, warnings);
     this->TellFacts(drawing);
+    this->ChooseHiddenLines(plans, drawing.Area);
     for (LayerPlan& plan : plans)
     {
       PageLayer layer = this->DrawLayer(plan);
@@ -158,6 +176,7 @@ private:
       {
         LayerPlan& plan = plans[getPlace(static_cast<int>(type), hidden)];
         plan.Name = types[type] + (hidden ? " (hidden)" : " (visible)");
+        plan.IsHidden = hidden;
         plan.Ink = this->Request.Style->GetInk(types[type], hidden);
         if (hidden && this->Request.Hidden == HiddenLines::Shown)
         {
@@ -293,7 +312,13 @@ private:
           const vtkIdType last = std::min(count, (block + 1) * BlockSize);
           for (vtkIdType i = block * BlockSize; i < last; ++i)
           {
-            this->DrawLine(plan, plan.Lines[i], ids, blocks[block]);
+            std::vector<PageChain> chains =
+              plan.IsHidden ? plan.Chains[i] : this->GetPageChains(plan, plan.Lines[i], ids);
+            for (PageChain& chain : chains)
+            {
+              ThinChain(chain, ThinningShare * this->Request.Tolerance);
+              this->DrawChain(plan.Ink, chain, blocks[block]);
+            }
           }
         }
       });
@@ -318,7 +343,7 @@ private:
     return layer;
   }
 
-  void DrawLine(const LayerPlan& plan, vtkIdType line, vtkIdList* ids, PageLayer& layer) const
+  std::vector<PageChain> GetPageChains(const LayerPlan& plan, vtkIdType line, vtkIdList* ids) const
   {
     std::vector<StrokeInput::Chain> chains;
     std::vector<PageChain> drawn;
@@ -327,10 +352,45 @@ private:
     {
       this->View.Draw(chain.Points, chain.Closed, drawn);
     }
-    for (PageChain& chain : drawn)
+    return drawn;
+  }
+
+  /// Leaves out what of hidden lines would touch lines above. The order of lines counts, so this is
+  /// no work for threads.
+  void ChooseHiddenLines(std::vector<LayerPlan>& plans, const PageRectangle& area) const
+  {
+    const bool isAny = std::any_of(plans.begin(), plans.end(),
+      [](const LayerPlan& plan) { return plan.IsHidden && !plan.Lines.empty(); });
+    if (!isAny)
     {
-      ThinChain(chain, ThinningShare * this->Request.Tolerance);
-      this->DrawChain(plan.Ink, chain, layer);
+      return;
+    }
+    LineCover visible(area);
+    LineCover hidden(area);
+    double widest = 0.0; // of visible lines
+    vtkNew<vtkIdList> ids;
+    for (auto plan = plans.rbegin(); plan != plans.rend(); ++plan)
+    {
+      const double width = plan->Ink.Width;
+      const double least = std::max(LeastHidden, 4.0 * width);
+      for (const vtkIdType line : plan->Lines)
+      {
+        std::vector<PageChain> chains = this->GetPageChains(*plan, line, ids);
+        if (plan->IsHidden)
+        {
+          chains = CutAll(chains, visible, 0.5 * widest + width, least);
+          chains = CutAll(chains, hidden, width, least);
+          plan->Chains.push_back(chains);
+        }
+        else
+        {
+          widest = std::max(widest, width);
+        }
+        for (const PageChain& chain : chains)
+        {
+          (plan->IsHidden ? hidden : visible).Mark(chain);
+        }
+      }
     }
   }
 

@@ -180,7 +180,11 @@ public:
     HIDDEN_LINES_SHOWN
   };
   ///@{
-  /** How to draw hidden lines: not, with the style's dashes, or solid. Default: none. */
+  /**
+   * How to draw hidden lines: not, with the style's dashes, or solid. Default: none. What of them
+   * runs along a visible line, or a hidden one that is drawn already, so near that they would
+   * touch, is left out.
+   */
   vtkSetClampMacro(HiddenLines, int, HIDDEN_LINES_NONE, HIDDEN_LINES_SHOWN);
   vtkGetMacro(HiddenLines, int);
   ///@}

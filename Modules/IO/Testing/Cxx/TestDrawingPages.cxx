@@ -29,11 +29,12 @@ vtkXMLDataElement* FindElement(const Drawing& drawing, const char* name)
 }
 
 /// Contours and creases, each visible and hidden, next to each other.
-vtkSmartPointer<vtkPolyData> MakeTypedStrokes()
+vtkSmartPointer<vtkPolyData> MakeTypedStrokes(
+  const std::vector<Line3>& lines = { { { -30, 20, 0 }, { 30, 20, 0 } },
+    { { -30, 10, 0 }, { 30, 10, 0 } }, { { -30, 0, 0 }, { 30, 0, 0 } },
+    { { -30, -10, 0 }, { 30, -10, 0 } } })
 {
-  vtkSmartPointer<vtkPolyData> strokes =
-    MakeStrokes({ { { -30, 20, 0 }, { 30, 20, 0 } }, { { -30, 10, 0 }, { 30, 10, 0 } },
-      { { -30, 0, 0 }, { 30, 0, 0 } }, { { -30, -10, 0 }, { 30, -10, 0 } } });
+  vtkSmartPointer<vtkPolyData> strokes = MakeStrokes(lines);
   vtkNew<vtkIntArray> types;
   types->SetName(npr::names::LineType);
   vtkNew<vtkIntArray> hiding;
@@ -169,6 +170,30 @@ void TestLayers()
     "hidden lines, shown");
 }
 
+/// Along a visible line, and along one of its own kind, a hidden line is not drawn; lines that it
+/// crosses do not cut it.
+void TestHiddenLinesAlongOthers()
+{
+  vtkNew<vtkNPRSVGWriter> writer;
+  SetPlainPage(writer,
+    MakeTypedStrokes({ { { -30, 20, 0 }, { 30, 20, 0 } }, { { -30, 10, 0 }, { 30, 10, 0 } },
+      { { -30, 20.2, 0 }, { 0, 20.2, 0 }, { 0, -20, 0 } },
+      { { 0, 0, 0 }, { 0, -20, 0 }, { 20, -20, 0 }, { 0.1, -19, 0 }, { 0.1, -1, 0 } } }));
+  writer->SetHiddenLines(vtkNPRDrawingWriter::HIDDEN_LINES_DASHED);
+  const Drawing drawing = Draw(writer, folder + "DrawingPages.svg");
+  const auto isOnePath = [&](const char* name, const Point2& start, const Point2& end)
+  {
+    const Layer* const layer = drawing.Find(name);
+    return layer && layer->Paths.size() == 1 && (layer->Paths[0].Start() - start).norm() < 1.0 &&
+      (layer->Paths[0].End() - end).norm() < 1.0;
+  };
+  check(isOnePath("contours (visible)", { 20, 30 }, { 80, 30 }) &&
+      isOnePath("creases (visible)", { 20, 40 }, { 80, 40 }),
+    "visible lines are whole");
+  check(isOnePath("contours (hidden)", { 50, 30 }, { 50, 70 }), "hidden along a visible line");
+  check(isOnePath("creases (hidden)", { 50, 70 }, { 50, 69 }), "hidden along a hidden line");
+}
+
 void TestMetadata()
 {
   vtkNew<vtkNPRSVGWriter> writer;
@@ -263,6 +288,7 @@ int TestDrawingPages(int argc, char* argv[])
   TestScale();
   TestFits();
   TestLayers();
+  TestHiddenLinesAlongOthers();
   TestMetadata();
   TestSameBytes();
   TestImage();
