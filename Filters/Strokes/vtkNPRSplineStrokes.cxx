@@ -34,13 +34,26 @@ double TurnCosine(const npr::Vector3& a, const npr::Vector3& b, const npr::Vecto
   return lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
 }
 
-void Smooth(npr::StrokeChain& chain, int iterations)
+/// Moves a place towards another one, at most so far.
+void MoveTowards(npr::Vector3& place, const npr::Vector3& goal, double most)
+{
+  npr::Vector3 way;
+  vtkMath::Subtract(goal.data(), place.data(), way.data());
+  const double length = vtkMath::Norm(way.data());
+  for (int c = 0; c < 3; ++c)
+  {
+    place[c] = length <= most ? goal[c] : place[c] + most / length * way[c];
+  }
+}
+
+void Smooth(npr::StrokeChain& chain, int iterations, double maximumShift)
 {
   const std::size_t n = chain.Points.size();
   if (n < 3)
   {
     return;
   }
+  const std::vector<npr::StrokePoint> original = chain.Points;
   std::vector<npr::Vector3> moved(n);
   for (int iteration = 0; iteration < iterations; ++iteration)
   {
@@ -64,6 +77,12 @@ void Smooth(npr::StrokeChain& chain, int iterations)
       chain.Points[i].Position = moved[i];
     }
   }
+  for (std::size_t i = 0; maximumShift > 0.0 && i < n; ++i)
+  {
+    const npr::Vector3 goal = chain.Points[i].Position;
+    chain.Points[i].Position = original[i].Position;
+    MoveTowards(chain.Points[i].Position, goal, maximumShift);
+  }
 }
 
 class Splines
@@ -76,6 +95,7 @@ public:
   double ChordError;
   double CornerCosine;
   int SmoothingIterations;
+  double MaximumShift;
 
   void Process(vtkPoints* points, vtkIdList* ids, npr::SampledStrokes& strokes) const
   {
@@ -85,7 +105,7 @@ public:
       {
         continue;
       }
-      Smooth(chain, this->SmoothingIterations);
+      Smooth(chain, this->SmoothingIterations, this->MaximumShift);
       const std::size_t start = strokes.Samples.size();
       this->SampleChain(chain, strokes.Samples);
       npr::MeasureArcLength(strokes.Samples, start);
@@ -210,6 +230,7 @@ int vtkNPRSplineStrokes::RequestData(
   splines.CornerCosine =
     this->CornerAngle < 180.0 ? std::cos(vtkMath::RadiansFromDegrees(this->CornerAngle)) : -2.0;
   splines.SmoothingIterations = this->SmoothingIterations;
+  splines.MaximumShift = this->MaximumShift;
 
   vtkPoints* inputPoints = input->GetPoints();
   std::vector<npr::SampledStrokes> strokes(numberOfLines);
@@ -244,4 +265,5 @@ void vtkNPRSplineStrokes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumChordError: " << this->MaximumChordError << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
+  os << indent << "MaximumShift: " << this->MaximumShift << "\n";
 }

@@ -111,6 +111,15 @@ public:
   vtkGetMacro(SmoothingIterations, int);
   ///@}
 
+  ///@{
+  /**
+   * If positive, how far the smoothing may move a point (unit: length), so that it takes out what
+   * is small, but keeps long edges in place. Default: 0, off.
+   */
+  vtkSetClampMacro(MaximumShift, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumShift, double);
+  ///@}
+
   /** The most samples that any span gets. */
   static constexpr int MaximumSubdivisions = 1024;
 
@@ -127,6 +136,7 @@ protected:
   double MaximumChordError = 0.0;
   double CornerAngle = 60.0;
   int SmoothingIterations = 0;
+  double MaximumShift = 0.0;
 
 private:
   vtkNPRSplineStrokes(const vtkNPRSplineStrokes&) = delete;

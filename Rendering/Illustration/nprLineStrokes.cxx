@@ -17,6 +17,7 @@ namespace npr
 {
 namespace
 {
+constexpr double MaximumShift = 1.5;     // thousandths of the image's shorter side
 constexpr double VisibilityRadius = 2.0; // pixels, of strokes that stay in their place
 }
 
@@ -81,6 +82,8 @@ vtkSmartPointer<vtkPolyData> LineStrokes::MakeStrokes(
   StrokeFilters filters(this->Style, this->Light, this->IsStraight, nullptr);
   filters.SetScale(scale, camera);
   filters.SetPixel(scale.WorldPerPixel);
+  // What leaves its surface would show through it.
+  filters.SetMaximumShift(MaximumShift * scale.PixelsPerUnit * scale.WorldPerPixel);
   filters.GetFirst()->SetInputDataObject(parts);
   filters.GetLast()->Update();
   return vtkPolyData::SafeDownCast(filters.GetLast()->GetOutputDataObject(0));

@@ -99,4 +99,10 @@ void StrokeFilters::SetPixel(double size)
 {
   this->Splines->SetMaximumChordError(0.1 * size);
 }
+
+//------------------------------------------------------------------------------
+void StrokeFilters::SetMaximumShift(double length)
+{
+  this->Splines->SetMaximumShift(length);
+}
 }

@@ -172,6 +172,12 @@ class TestDrawings(CommandTest):
         with open(self.draw(self.model, name="drawing.pdf"), "rb") as file:
             self.assertTrue(file.read().startswith(b"%PDF-"))
 
+    def test_demo(self):
+        self.run_well("demo", self.folder, "--size", "160x120")
+        self.assertTrue(any("hidden" in name for name in Drawing(self.path("drawing.svg")).layers))
+        with open(self.path("index.html")) as page:
+            self.assertIn("drawing.svg", page.read())
+
     def test_refusals(self):
         parallel = ["--projection", "parallel"]
         for words, mentioned in (

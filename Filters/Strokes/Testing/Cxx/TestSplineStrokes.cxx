@@ -304,6 +304,13 @@ void TestSmoothing()
   {
     CHECK(std::abs(out[i][1]) < 1e-12 && std::abs(out[i][0] - 0.1 * i) < 1e-12);
   }
+
+  // The zig-zag is smaller than what points may move by, the corner is not.
+  const Points corner = { { -9, 0, 0 }, { 0, 0, 0 }, { 0, 9, 0 } };
+  filter->SetSmoothingIterations(6);
+  filter->SetMaximumShift(0.05);
+  CHECK(std::abs(Distance(Run(filter, corner)[1], corner[1]) - 0.05) < 1e-6);
+  CHECK(std::abs(Run(filter, zigzag)[zigzag.size() / 2][1]) < 1e-6);
 }
 
 void TestBadChains()
