@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRShadingPass.h"
 
+#include "vtkNPROutlineFS.h"
+#include "vtkNPROutlineVS.h"
 #include "vtkNPRPhongStyle.h"
 #include "vtkNPRShadingFS.h"
 #include "vtkNPRShadingStyle.h"
@@ -13,11 +15,15 @@
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkMath.h>
+#include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpaquePass.h>
+#include <vtkOpenGLError.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
 #include <vtkProperty.h>
 #include <vtkRenderState.h>
 #include <vtkRenderStepsPass.h>
@@ -28,6 +34,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 vtkStandardNewMacro(vtkNPRShadingPass);
@@ -39,6 +46,7 @@ namespace
 const char* const DeclarationTag = "//NPR::Shading::Dec\n";
 const char* const UniformFlowTag = "//NPR::Shading::UniformFlow\n";
 const char* const ImplementationTag = "//NPR::Shading::Impl\n";
+const char* const OutlineTag = "//NPR::Shading::Outline\n";
 
 // Main program's parts; the names on the right are those of VTK's template. Derivatives are taken
 // where all fragments of a quad still run.
@@ -56,21 +64,23 @@ const char* const NormalMacro[] = {
   "((gl_FrontFacing ? 1.0 : -1.0) * difference(normalize(normalVCVSOutput)))\n",
 };
 const char* const Implementation = R"(
-  {
-    NprSurface nprSurface;
-    nprSurface.position = vertexVC.xyz;
-    nprSurface.normal = normalVCVSOutput;
-    nprSurface.view = nprToEye(vertexVC.xyz);
-    nprSurface.ambient = ambientColor;
-    nprSurface.diffuse = NPR_BASE_COLOR;
-    nprSurface.specular = specularColor;
-    nprSurface.power = specularPower;
-    nprSurface.opacity = opacity;
-    nprSurface.positionStep = nprPositionStep;
-    nprSurface.normalStep = nprNormalStep;
-    gl_FragData[0] = vec4(nprShade(nprSurface), opacity);
-  }
+  NprSurface nprSurface;
+  nprSurface.position = vertexVC.xyz;
+  nprSurface.normal = normalVCVSOutput;
+  nprSurface.view = nprToEye(vertexVC.xyz);
+  nprSurface.ambient = ambientColor;
+  nprSurface.diffuse = NPR_BASE_COLOR;
+  nprSurface.specular = specularColor;
+  nprSurface.power = specularPower;
+  nprSurface.opacity = opacity;
+  nprSurface.positionStep = nprPositionStep;
+  nprSurface.normalStep = nprNormalStep;
+  gl_FragData[0] = vec4(nprShade(nprSurface), opacity);
 )";
+// After textures, which do not colour an outline.
+const char* const OutlineImplementation =
+  "  gl_FragData[0].rgb = nprOutline(nprSurface, gl_FragData[0].rgb);\n";
+const char* const PushImplementation = "  gl_Position = nprPush(gl_Position, normalVCVSOutput);\n";
 
 // Physically based materials have linear colours.
 const char* const PlainColor = "diffuseColor";
@@ -94,6 +104,21 @@ public:
   }
 };
 vtkStandardNewMacro(TranslucentStep);
+
+// Draws opaque props, and what is to come after them and before translucent ones.
+class OpaqueStep : public vtkOpaquePass
+{
+public:
+  static OpaqueStep* New();
+  vtkTypeMacro(OpaqueStep, vtkOpaquePass);
+  void Render(const vtkRenderState* state) override
+  {
+    this->Superclass::Render(state);
+    this->After();
+  }
+  std::function<void()> After;
+};
+vtkStandardNewMacro(OpaqueStep);
 
 // Which primitives a mapper is drawing is protected there, and says more than the shader's text.
 struct MapperAccess : vtkOpenGLPolyDataMapper
@@ -173,11 +198,12 @@ private:
   }
 };
 
-std::string GetDeclarations(vtkNPRShadingStyle* style, int lightCount, int lightKind)
+std::string GetDeclarations(vtkNPRShadingStyle* style, int outline, int lightCount, int lightKind)
 {
-  return "#define NPR_LIGHT_COUNT " + std::to_string(std::max(lightCount, 1)) +
-    "\n#define NPR_LIGHT_KIND " + std::to_string(lightKind) + "\n" + vtkNPRShadingFS +
-    "\n#line 0\n" + style->GetCode() + "\n";
+  return "#define NPR_OUTLINE " + std::to_string(outline) + "\n#define NPR_LIGHT_COUNT " +
+    std::to_string(std::max(lightCount, 1)) + "\n#define NPR_LIGHT_KIND " +
+    std::to_string(lightKind) + "\n" + vtkNPRShadingFS + "\n" + vtkNPROutlineFS + "\n#line 0\n" +
+    style->GetCode() + "\n";
 }
 
 bool Contains(const std::string& text, const char* part)
@@ -205,6 +231,12 @@ void vtkNPRShadingPass::PrintSelf(ostream& os, vtkIndent indent)
   {
     this->Style->PrintSelf(os, indent.GetNextIndent());
   }
+  os << indent << "Outline: " << this->Outline << "\n";
+  os << indent << "OutlineWidth: " << this->OutlineWidth << "\n";
+  os << indent << "OutlineColor: " << this->OutlineColor[0] << " " << this->OutlineColor[1] << " "
+     << this->OutlineColor[2] << "\n";
+  os << indent << "OutlineThreshold: " << this->OutlineThreshold << "\n";
+  os << indent << "OutlineSoftness: " << this->OutlineSoftness << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass->GetClassName() << "\n";
 }
 
@@ -227,6 +259,18 @@ vtkNPRShadingStyle* vtkNPRShadingPass::GetStyle()
 }
 
 //------------------------------------------------------------------------------
+void vtkNPRShadingPass::SetOutline(int kind)
+{
+  kind = std::clamp(kind, int(NoOutline), int(Grazing));
+  if (this->Outline != kind)
+  {
+    this->Outline = kind;
+    this->StyleTime.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkNPRShadingPass::SetDelegatePass(vtkRenderPass* pass)
 {
   if (pass && this->DelegatePass == pass)
@@ -240,6 +284,9 @@ void vtkNPRShadingPass::SetDelegatePass(vtkRenderPass* pass)
   else
   {
     auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+    auto opaque = vtkSmartPointer<OpaqueStep>::New();
+    opaque->After = [this]() { this->DrawBackFaces(); };
+    steps->SetOpaquePass(opaque);
     steps->SetTranslucentPass(vtkSmartPointer<TranslucentStep>::New());
     this->DelegatePass = steps;
   }
@@ -302,16 +349,58 @@ void vtkNPRShadingPass::Render(const vtkRenderState* state)
       std::back_inserter(props), [](vtkProp* prop) { return !GetExcluded(prop); });
     this->Style->Activate(window);
   }
+  this->Outlined.clear();
+  if (this->Outline == BackFaces && !this->Renderer->GetSelector())
+  {
+    for (vtkProp* prop : props)
+    {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      if (actor && actor->GetVisibility() && actor->HasOpaqueGeometry() &&
+        actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+        actor->GetProperty()->GetLighting())
+      {
+        this->Outlined.push_back(actor);
+      }
+    }
+  }
   vtkRenderState shaded(this->Renderer);
   shaded.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->PreRender(&shaded);
   this->DelegatePass->Render(state);
   this->NumberOfRenderedProps += this->DelegatePass->GetNumberOfRenderedProps();
+  if (!this->Outlined.empty())
+  {
+    this->Renderer->GetActiveCamera()->UpdateViewport(this->Renderer);
+    this->DrawBackFaces();
+  }
   this->PostRender(&shaded);
   if (shading)
   {
     this->Style->Deactivate();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::DrawBackFaces()
+{
+  std::vector<vtkActor*> actors;
+  actors.swap(this->Outlined);
+  if (actors.empty())
+  {
+    return;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  {
+    vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+    this->DrawingBackFaces = true;
+    for (vtkActor* actor : actors)
+    {
+      actor->RenderOpaqueGeometry(this->Renderer);
+    }
+    this->DrawingBackFaces = false;
+  }
+  state->vtkglCullFace(GL_BACK);
 }
 
 //------------------------------------------------------------------------------
@@ -334,7 +423,8 @@ void vtkNPRShadingPass::CheckCode()
   this->CodeIsGood = true;
   vtkNew<vtkShader> shader;
   shader->SetType(vtkShader::Fragment);
-  shader->SetSource("#version 150\n" + GetDeclarations(this->Style, MaximumNumberOfLights, 3) +
+  shader->SetSource("#version 150\n" +
+    GetDeclarations(this->Style, this->Outline, MaximumNumberOfLights, 3) +
     "uniform NprSurface nprSurface;\n"
     "out vec4 nprColor;\n"
     "void main() { nprColor = vec4(nprShade(nprSurface), nprSurface.opacity); }\n");
@@ -357,8 +447,8 @@ void vtkNPRShadingPass::ReportBadCode(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
-bool vtkNPRShadingPass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkNPRShadingPass::PreReplaceShaderValues(std::string& vertexShader, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
   if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
@@ -370,6 +460,12 @@ bool vtkNPRShadingPass::PreReplaceShaderValues(
       std::string("//VTK::UniformFlow::Impl\n") + UniformFlowTag, false);
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
       std::string("//VTK::Light::Impl\n") + ImplementationTag, false);
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::TCoord::Impl",
+      std::string("//VTK::TCoord::Impl\n") + OutlineTag, false);
+    vtkShaderProgram::Substitute(vertexShader, "//VTK::Light::Dec",
+      std::string("//VTK::Light::Dec\n") + DeclarationTag, false);
+    vtkShaderProgram::Substitute(
+      vertexShader, "//VTK::Light::Impl", std::string("//VTK::Light::Impl\n") + OutlineTag, false);
   }
   return true;
 }
@@ -395,18 +491,32 @@ bool vtkNPRShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   const Lights lights(this->Renderer);
   const bool smooth = Contains(shaded, "in vec3 normalVCVSOutput;");
   vtkShaderProgram::Substitute(shaded, DeclarationTag,
-    NormalMacro[smooth] + GetDeclarations(this->Style, lights.Count, lights.Kind), false);
+    NormalMacro[smooth] + GetDeclarations(this->Style, this->Outline, lights.Count, lights.Kind),
+    false);
   vtkShaderProgram::Substitute(shaded, UniformFlowTag, UniformFlow, false);
   vtkShaderProgram::Substitute(shaded, ImplementationTag, Implementation, false);
   vtkShaderProgram::Substitute(shaded, "NPR_BASE_COLOR",
     Contains(shaded, "vec3 albedo =") ? PhysicalColor : PlainColor, false);
 
+  std::string pushed = vertexShader;
+  if (this->Outline != NoOutline)
+  {
+    vtkShaderProgram::Substitute(shaded, OutlineTag, OutlineImplementation, false);
+  }
+  if (this->Outline == BackFaces && smooth)
+  {
+    vtkShaderProgram::Substitute(pushed, DeclarationTag,
+      std::string("uniform int nprParallelProjection;\n") + vtkNPROutlineVS, false);
+    vtkShaderProgram::Substitute(pushed, OutlineTag, PushImplementation, false);
+  }
+
   // The style's code may be good alone, but use a name that is one of VTK's. The program is cached,
   // so the mapper's own request costs nothing.
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   if (window->GetShaderCache()->ReadyShaderProgram(
-        vertexShader.c_str(), shaded.c_str(), geometryShader.c_str()))
+        pushed.c_str(), shaded.c_str(), geometryShader.c_str()))
   {
+    vertexShader = pushed;
     fragmentShader = shaded;
   }
   else
@@ -440,5 +550,38 @@ bool vtkNPRShadingPass::SetShaderParameters(
     program->SetUniform2fv("nprLightCone", lights.Count, lights.Cone);
   }
   this->Style->SetUniforms(program);
+  this->SetOutlineParameters(program);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRShadingPass::SetOutlineParameters(vtkShaderProgram* program)
+{
+  if (this->Outline == NoOutline)
+  {
+    return;
+  }
+  program->SetUniform3f("nprOutlineColor", this->OutlineColor);
+  program->SetUniformf("nprOutlineThreshold", static_cast<float>(this->OutlineThreshold));
+  program->SetUniformf("nprOutlineSoftness", static_cast<float>(this->OutlineSoftness));
+  program->SetUniformi("nprOutlineTurn", this->DrawingBackFaces);
+  int width = 1;
+  int height = 1;
+  this->Renderer->GetTiledSize(&width, &height);
+  const float size[3] = { static_cast<float>(width), static_cast<float>(height),
+    this->DrawingBackFaces ? static_cast<float>(this->OutlineWidth) : 0.0f };
+  program->SetUniform3f("nprOutlineSize", size);
+  vtkMatrix4x4* matrix = this->Renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+    this->Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  const float projection[4] = { static_cast<float>(matrix->GetElement(0, 0)),
+    static_cast<float>(matrix->GetElement(1, 1)), static_cast<float>(matrix->GetElement(2, 2)),
+    static_cast<float>(matrix->GetElement(2, 3)) };
+  program->SetUniform4f("nprOutlineProjection", projection);
+  if (this->DrawingBackFaces)
+  {
+    // Only now, as the actor's property has its own idea of it.
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+    window->GetState()->vtkglEnable(GL_CULL_FACE);
+    window->GetState()->vtkglCullFace(GL_FRONT);
+  }
 }

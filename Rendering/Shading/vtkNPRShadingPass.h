@@ -36,9 +36,12 @@
 #include <vtkSmartPointer.h> // for the delegate and the style
 #include <vtkWeakPointer.h>  // for the renderer
 
+#include <vector> // for the actors that have outlines
+
 class vtkNPRShadingStyle;
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
 class vtkInformationIntegerKey;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -61,9 +64,41 @@ public:
   vtkNPRShadingStyle* GetStyle();
   ///@}
 
+  /// @name Outline
+  /// Outlines without extraction, cheap and without control of single lines (vtkNPRFeatureLines has
+  /// that; vtkNPREdgePass finds edges of pixels). On opaque surfaces that a style shades.
+  ///  - NoOutline: the default.
+  ///  - BackFaces: the back faces are drawn again, enlarged by OutlineWidth pixels along their
+  ///    normals, so that a rim of them shows around what is closed and has point normals. It has
+  ///    the same width everywhere and is as smooth as surfaces are: use multisampling.
+  ///  - Grazing: dark where the cosine between normal and view direction is below
+  ///    OutlineThreshold, [0, 1], softened over OutlineSoftness, [0, 1], but at least a pixel. Thin
+  ///    where a surface bends strongly, wide where it is flat, and none along sharp edges.
+  ///
+  /// Default: width 3 (in [0, 100]), threshold 0.25, softness 0.1, black.
+  ///@{
+  enum OutlineKind
+  {
+    NoOutline = 0,
+    BackFaces = 1,
+    Grazing = 2
+  };
+  void SetOutline(int kind);
+  vtkGetMacro(Outline, int);
+  vtkSetClampMacro(OutlineWidth, double, 0.0, 100.0);
+  vtkGetMacro(OutlineWidth, double);
+  vtkSetVector3Macro(OutlineColor, double);
+  vtkGetVector3Macro(OutlineColor, double);
+  vtkSetClampMacro(OutlineThreshold, double, 0.0, 1.0);
+  vtkGetMacro(OutlineThreshold, double);
+  vtkSetClampMacro(OutlineSoftness, double, 0.0, 1.0);
+  vtkGetMacro(OutlineSoftness, double);
+  ///@}
+
   /// @name DelegatePass
   /// What draws the props; null brings back the default, a vtkRenderStepsPass whose translucent
-  /// step is the renderer's own (depth peeling and so on, as set there).
+  /// step is the renderer's own (depth peeling and so on, as set there). BackFaces are drawn with
+  /// the default's opaque props; after everything by other delegates.
   ///@{
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
@@ -111,7 +146,18 @@ private:
   bool CodeIsGood = false;
   vtkMTimeType CheckedTime = 0;
 
+  void DrawBackFaces();
+  void SetOutlineParameters(vtkShaderProgram* program);
+
+  int Outline = NoOutline;
+  double OutlineWidth = 3.0;
+  double OutlineColor[3] = { 0.0, 0.0, 0.0 };
+  double OutlineThreshold = 0.25;
+  double OutlineSoftness = 0.1;
+
   vtkWeakPointer<vtkRenderer> Renderer; // being drawn
+  std::vector<vtkActor*> Outlined;      // whose back faces are still to be drawn
+  bool DrawingBackFaces = false;
   bool WarnedOfLights = false;
 };
 

@@ -4,7 +4,7 @@
 // Lines in image space among everything else in a window: viewports, sizes, translucent things,
 // other passes, and that nothing is left of them afterwards.
 
-#include "nprEdgeTesting.h"
+#include "nprOutlineTesting.h"
 #include "vtkNPREdgePass.h"
 
 #include <vtkActor2D.h>

@@ -3,8 +3,8 @@
 //
 // Where lines in image space run, how wide they are, and what the thresholds do.
 
-#include "nprEdgeTesting.h"
 #include "nprImageComparison.h"
+#include "nprOutlineTesting.h"
 #include "vtkNPREdgePass.h"
 
 #include <vtkPlaneSource.h>
@@ -27,12 +27,6 @@ struct EdgeStage : WhiteStage
     this->Renderer->SetPass(steps);
   }
 };
-
-std::string Say(const Deviation& d)
-{
-  return ": off by " + std::to_string(d.Offset) + " pixels, width " + std::to_string(d.LeastWidth) +
-    " to " + std::to_string(d.MostWidth);
-}
 
 void TestSphere(Checker& check, int argc, char* argv[])
 {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file nprEdgeTesting.h
+ * @file nprOutlineTesting.h
  * @brief White shapes on white paper, so that whatever is dark is a line.
  */
-#ifndef nprEdgeTesting_h
-#define nprEdgeTesting_h
+#ifndef nprOutlineTesting_h
+#define nprOutlineTesting_h
 
 #include "nprShadingTest.h"
 
@@ -122,6 +122,12 @@ struct Deviation
     this->MostWidth = std::max(this->MostWidth, profile.Width);
   }
 };
+
+inline std::string Say(const Deviation& d)
+{
+  return ": off by " + std::to_string(d.Offset) + " pixels, width " + std::to_string(d.LeastWidth) +
+    " to " + std::to_string(d.MostWidth);
+}
 
 /// Along a straight line, but for some pixels at its ends.
 inline Deviation MeasureStraight(
