@@ -24,6 +24,12 @@ void StyleOptions::AddTo(CLI::App& command)
   command.add_option("--lines", this->Lines,
     "The kinds of lines to draw, such as contours,suggestive; none for no lines "
     "(npr lines --list)");
+  command
+    .add_option("--outline", this->Outline,
+      "A cheap outline without lines, in place of the style's: none, back-faces (an even rim), "
+      "grazing (dark where surfaces are seen edge-on), image-edges (edges of the picture); most "
+      "often with --lines none")
+    ->check(CLI::IsMember(vtkNPRIllustrationStyle::GetOutlineNames()));
   this->AddSettingsTo(command);
   command.add_option(
     "--background", this->Background, "The paper: #rrggbb, an HTML colour name, or transparent");
@@ -130,6 +136,12 @@ void StyleOptions::ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) c
     check(style->SetLineParameter(setting.substr(0, dot), setting.substr(dot + 1, equals - dot - 1),
             setting.substr(equals + 1)),
       UsageError);
+  }
+  if (!this->Outline.empty())
+  {
+    const std::vector<std::string> names = vtkNPRIllustrationStyle::GetOutlineNames();
+    style->SetOutline(
+      static_cast<int>(std::find(names.begin(), names.end(), this->Outline) - names.begin()));
   }
   if (!this->Background.empty() && !this->IsTransparent())
   {

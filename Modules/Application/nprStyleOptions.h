@@ -25,6 +25,7 @@ struct StyleOptions
 {
   std::string Style = "technical";
   std::string Lines;
+  std::string Outline;               ///< A kind's name; empty for the style's.
   std::vector<std::string> Settings; ///< KIND.PARAMETER=VALUE
   /// Lines that users define: name, field and test.
   std::vector<std::tuple<std::string, std::string, std::string>> Definitions;

@@ -232,8 +232,10 @@ void ActorIllustration::ShadeSurface(const StyleDocument& style)
   if (IsPaper(shading))
   {
     const Color& paper = style.BackgroundBottom;
-    property->LightingOff();
+    property->SetLighting(NeedsShading(style)); // an outline needs normals
+    property->SetInterpolationToPhong();
     property->SetColor(paper[0], paper[1], paper[2]);
+    property->SetDiffuse(1.0);
     property->SetOpacity(1.0);
     this->SurfaceMapper->ScalarVisibilityOff();
     this->Actor->SetTexture(nullptr);

@@ -129,6 +129,21 @@ GeometryStyle ReadGeometry(StyleSection section)
   return geometry;
 }
 
+OutlineStyle ReadOutline(StyleSection section)
+{
+  OutlineStyle outline;
+  section.Read("kind", outline.Kind, OutlineStyle::GetKindNames());
+  section.Read("width", outline.Width, 0.01, 100.0);
+  section.Read("color", outline.Ink);
+  section.Read("grazing_threshold", outline.GrazingThreshold, 0.0, 1.0);
+  section.Read("grazing_softness", outline.GrazingSoftness, 0.0, 1.0);
+  section.Read("depth_threshold", outline.DepthThreshold, 1.0e-4, 1.0);
+  section.Read("normal_threshold", outline.NormalThreshold, 1.0, 180.0);
+  section.Read("object_edges", outline.ObjectEdges);
+  section.Finish();
+  return outline;
+}
+
 LineStyle ReadLine(StyleSection section, const StrokeStyle& strokes)
 {
   LineStyle line;
@@ -188,6 +203,13 @@ const std::vector<std::string>& TermStyle::GetArrays()
 }
 
 //------------------------------------------------------------------------------
+const std::vector<std::string>& OutlineStyle::GetKindNames()
+{
+  static const std::vector<std::string> names{ "none", "back-faces", "grazing", "image-edges" };
+  return names;
+}
+
+//------------------------------------------------------------------------------
 bool StrokeStyle::NeedsAttributes() const
 {
   return this->TaperLength > 0.0 || this->Overshoot > 0.0 || this->Wobble > 0.0 ||
@@ -236,6 +258,10 @@ StyleDocument ParseStyle(const std::string& json)
   if (const Json* geometry = root.Find("geometry"))
   {
     style.Geometry = ReadGeometry(StyleSection(*geometry, "/geometry"));
+  }
+  if (const Json* outline = root.Find("outline"))
+  {
+    style.Outline = ReadOutline(StyleSection(*outline, "/outline"));
   }
   StrokeStyle strokes;
   if (const Json* common = root.Find("strokes"))

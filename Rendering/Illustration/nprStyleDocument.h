@@ -118,6 +118,28 @@ struct GeometryStyle
   std::string Estimator;
 };
 
+/// Outlines that are drawn without extraction of lines.
+struct OutlineStyle
+{
+  enum Kinds
+  {
+    None, ///< as vtkNPRIllustrationStyle::OutlineKind has them
+    BackFaces,
+    Grazing,
+    ImageEdges
+  };
+  int Kind = None;
+  double Width = 3.0; ///< Thousandths of the shorter side; of grazing outlines the threshold tells.
+  Color Ink = { 0.0, 0.0, 0.0 };
+  double GrazingThreshold = 0.25; ///< Cosine of normal and view, 0..1.
+  double GrazingSoftness = 0.1;   ///< Range of that cosine, 0..1.
+  double DepthThreshold = 0.01;   ///< Share of the distance, 0.0001..1.
+  double NormalThreshold = 50.0;  ///< Degrees, 1..180.
+  bool ObjectEdges = true;
+
+  static const std::vector<std::string>& GetKindNames();
+};
+
 struct StyleDocument
 {
   std::string Name;
@@ -127,6 +149,7 @@ struct StyleDocument
   ShadingStyle Shading;
   std::vector<LightStyle> Lights;
   GeometryStyle Geometry;
+  OutlineStyle Outline;
   std::vector<LineStyle> Lines;
 };
 

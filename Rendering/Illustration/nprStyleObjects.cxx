@@ -6,6 +6,7 @@
 #include "vtkNPRLineDefinition.h"
 #include "vtkNPRShadingStyle.h"
 #include "vtkNPRShadingStyles.h"
+#include "vtkNPRSnippetStyle.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -142,8 +143,18 @@ bool IsPaper(const ShadingStyle& shading)
 }
 
 //------------------------------------------------------------------------------
+bool NeedsShading(const StyleDocument& document)
+{
+  return !IsPaper(document.Shading) || document.Outline.Kind != OutlineStyle::None;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkNPRShadingStyle> MakeShadingStyle(const ShadingStyle& shading)
 {
+  if (IsPaper(shading))
+  {
+    return vtkSmartPointer<vtkNPRSnippetStyle>::New();
+  }
   auto style = vtk::TakeSmartPointer(vtkNPRShadingStyles::CreateStyle(shading.Style));
   if (!style)
   {

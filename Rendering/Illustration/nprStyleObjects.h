@@ -22,7 +22,8 @@ class vtkNPRShadingStyle;
 
 namespace npr
 {
-/// @throws StyleError when no such style exists or it does not take one of the parameters.
+/// The colours as they are for "paper". @throws StyleError when no such style exists or it does not
+/// take one of the parameters.
 vtkSmartPointer<vtkNPRShadingStyle> MakeShadingStyle(const ShadingStyle& shading);
 
 /// @throws StyleError, with the given path before the key.
@@ -44,6 +45,9 @@ ParameterValue ParseLineParameter(
 
 /// True when surfaces are not shaded at all but take the colour of the paper.
 bool IsPaper(const ShadingStyle& shading);
+
+/// Whether surfaces go through the shading pass: as paper, for the sake of an outline.
+bool NeedsShading(const StyleDocument& document);
 
 /// Whether everything that the document names exists. @throws StyleError that names the key.
 void CheckStyleNames(const StyleDocument& document);

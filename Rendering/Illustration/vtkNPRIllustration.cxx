@@ -6,20 +6,17 @@
 #include "nprArrayNames.h"
 #include "nprPageScale.h"
 #include "nprPaperStrokes.h"
+#include "nprRendererIllustration.h"
 #include "nprStyleDocument.h"
 #include "nprStyleObjects.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRIllustrationStyle.h"
-#include "vtkNPRShadingPass.h"
-#include "vtkNPRShadingStyle.h"
 #include "vtkNPRStrokeVisibility.h"
 
 #include <vtkActor.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCommand.h>
 #include <vtkFieldData.h>
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -32,92 +29,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkNPRIllustration);
-
-namespace
-{
-/// What a style changes on a renderer itself, given back by the destructor.
-class RendererIllustration
-{
-public:
-  RendererIllustration(vtkRenderer* renderer, const npr::StyleDocument& style)
-    : Renderer(renderer), Pass(renderer->GetPass()),
-      AutomaticLights(renderer->GetAutomaticLightCreation()),
-      Gradient(renderer->GetGradientBackground()), DepthPeeling(renderer->GetUseDepthPeeling())
-  {
-    // Strokes are not drawn with it.
-    renderer->UseDepthPeelingOff();
-    renderer->GetBackground(this->Background);
-    renderer->GetBackground2(this->Background2);
-    vtkLightCollection* lights = renderer->GetLights();
-    vtkCollectionSimpleIterator cookie;
-    lights->InitTraversal(cookie);
-    while (vtkLight* light = lights->GetNextLight(cookie))
-    {
-      this->Lights.emplace_back(light);
-    }
-
-    const npr::Color& bottom = style.BackgroundBottom;
-    const npr::Color& top = style.BackgroundTop;
-    renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
-    renderer->SetBackground2(top[0], top[1], top[2]);
-    renderer->SetGradientBackground(bottom != top);
-    if (!style.Lights.empty())
-    {
-      this->SetLights(style.Lights);
-    }
-    if (!npr::IsPaper(style.Shading))
-    {
-      vtkNew<vtkNPRShadingPass> pass;
-      pass->SetStyle(npr::MakeShadingStyle(style.Shading));
-      pass->SetDelegatePass(this->Pass);
-      renderer->SetPass(pass);
-    }
-  }
-
-  ~RendererIllustration()
-  {
-    this->Renderer->SetPass(this->Pass);
-    this->Renderer->SetUseDepthPeeling(this->DepthPeeling);
-    this->Renderer->SetBackground(this->Background);
-    this->Renderer->SetBackground2(this->Background2);
-    this->Renderer->SetGradientBackground(this->Gradient);
-    this->Renderer->RemoveAllLights();
-    for (const auto& light : this->Lights)
-    {
-      this->Renderer->AddLight(light);
-    }
-    this->Renderer->SetAutomaticLightCreation(this->AutomaticLights);
-  }
-
-  RendererIllustration(const RendererIllustration&) = delete;
-  void operator=(const RendererIllustration&) = delete;
-
-private:
-  void SetLights(const std::vector<npr::LightStyle>& lights)
-  {
-    this->Renderer->RemoveAllLights();
-    this->Renderer->AutomaticLightCreationOff();
-    for (const npr::LightStyle& style : lights)
-    {
-      vtkNew<vtkLight> light;
-      light->SetLightTypeToCameraLight();
-      light->SetDirectionAngle(style.Elevation, style.Azimuth);
-      light->SetIntensity(style.Intensity);
-      light->SetColor(style.Tint[0], style.Tint[1], style.Tint[2]);
-      this->Renderer->AddLight(light);
-    }
-  }
-
-  vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderPass> Pass;
-  std::vector<vtkSmartPointer<vtkLight>> Lights;
-  vtkTypeBool AutomaticLights;
-  bool Gradient;
-  vtkTypeBool DepthPeeling;
-  double Background[3];
-  double Background2[3];
-};
-}
 
 //------------------------------------------------------------------------------
 class vtkNPRIllustration::Internals
@@ -147,7 +58,13 @@ public:
   void Apply(vtkRenderer* renderer, const npr::StyleDocument& style)
   {
     this->Renderer = renderer;
-    this->OnRenderer = std::make_unique<RendererIllustration>(renderer, style);
+    this->OnRenderer = std::make_unique<npr::RendererIllustration>(renderer, style);
+    if (!this->OnRenderer->HasOutline())
+    {
+      vtkWarningWithObjectMacro(this->Self,
+        "the outline image-edges is not drawn: the renderer has a render pass of its own; take it "
+        "off, or choose back-faces or grazing");
+    }
     this->OnPaper = std::make_unique<npr::PaperStrokes>();
     this->LineNames = npr::GetLineNames(style);
 
@@ -252,6 +169,7 @@ private:
   void OnStartOfRender()
   {
     const npr::PageScale scale = npr::PageScale::Of(this->Renderer);
+    this->OnRenderer->Follow(scale);
     for (const auto& actor : this->Actors)
     {
       actor->Follow(scale);
@@ -261,7 +179,7 @@ private:
 
   vtkNPRIllustration* Self;
   vtkSmartPointer<vtkRenderer> Renderer;
-  std::unique_ptr<RendererIllustration> OnRenderer;
+  std::unique_ptr<npr::RendererIllustration> OnRenderer;
   std::vector<std::unique_ptr<npr::ActorIllustration>> Actors;
   std::unique_ptr<npr::PaperStrokes> OnPaper;
   std::vector<std::string> LineNames;

@@ -235,6 +235,29 @@ bool vtkNPRIllustrationStyle::SetLineParameter(
 }
 
 //------------------------------------------------------------------------------
+void vtkNPRIllustrationStyle::SetOutline(int kind)
+{
+  kind = std::clamp(kind, int(NoOutline), int(ImageEdges));
+  if (this->Document->Outline.Kind != kind)
+  {
+    this->Document->Outline.Kind = kind;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkNPRIllustrationStyle::GetOutline() const
+{
+  return this->Document->Outline.Kind;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkNPRIllustrationStyle::GetOutlineNames()
+{
+  return npr::OutlineStyle::GetKindNames();
+}
+
+//------------------------------------------------------------------------------
 bool vtkNPRIllustrationStyle::SetBackground(const std::string& color)
 {
   try
@@ -280,6 +303,7 @@ void vtkNPRIllustrationStyle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Name: " << this->Document->Name << "\n";
   os << indent << "Description: " << this->Document->Description << "\n";
   os << indent << "Shading: " << this->Document->Shading.Style << "\n";
+  os << indent << "Outline: " << GetOutlineNames()[this->Document->Outline.Kind] << "\n";
   os << indent << "Lines: " << this->Document->Lines.size() << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }

@@ -73,6 +73,29 @@ public:
   bool SetLineParameter(
     const std::string& type, const std::string& parameter, const std::string& value);
 
+  /// @name Outline
+  /// Outlines that cost no extraction of lines; their look is the style's (its section "outline").
+  /// They are no strokes: no chains, no tapering, no paper. For the full control of lines choose
+  /// NoOutline and lines such as "contours".
+  ///  - BackFaces: back faces enlarged by a width; an even rim around closed, smooth surfaces.
+  ///  - Grazing: dark where a surface is seen nearly edge-on; the cheapest, of uneven width.
+  ///  - ImageEdges: where depth, normal or actor change from pixel to pixel; sharp edges, too.
+  ///
+  /// @sa vtkNPRShadingPass, vtkNPREdgePass
+  ///@{
+  enum OutlineKind
+  {
+    NoOutline = 0,
+    BackFaces = 1,
+    Grazing = 2,
+    ImageEdges = 3
+  };
+  void SetOutline(int kind);
+  int GetOutline() const;
+  /// Their names in style files, by their kinds: "none", "back-faces", "grazing", "image-edges".
+  static std::vector<std::string> GetOutlineNames();
+  ///@}
+
   /// Set the paper to one colour: "#rrggbb" or an HTML colour name.
   bool SetBackground(const std::string& color);
 
