@@ -133,7 +133,7 @@ struct OutlineStyle
   Color Ink = { 0.0, 0.0, 0.0 };
   double GrazingThreshold = 0.25; ///< Cosine of normal and view, 0..1.
   double GrazingSoftness = 0.1;   ///< Range of that cosine, 0..1.
-  double DepthThreshold = 0.01;   ///< Share of the distance, 0.0001..1.
+  double DepthThreshold = 0.005;  ///< Share of the distance, 0.0001..1.
   double NormalThreshold = 50.0;  ///< Degrees, 1..180.
   bool ObjectEdges = true;
 

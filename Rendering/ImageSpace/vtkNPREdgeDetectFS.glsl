@@ -59,18 +59,28 @@ bool nprIsEdge(Surface a, Surface b)
   return gap > nprDepthThreshold * range || dot(a.normal, b.normal) < nprNormalCosine;
 }
 
+// Within an object, what is but a pixel wide is noise: both pixels must differ from what is beyond
+// the other, too.
+bool nprIsLastingEdge(ivec2 pixel, ivec2 toNext)
+{
+  if (any(greaterThanEqual(pixel + toNext, nprSize)))
+  {
+    return false;
+  }
+  Surface here = nprFetch(pixel);
+  Surface next = nprFetch(pixel + toNext);
+  if (!nprIsEdge(here, next))
+  {
+    return false;
+  }
+  return here.object != next.object ||
+    (nprIsEdge(nprFetch(max(pixel - toNext, ivec2(0))), next) &&
+      nprIsEdge(here, nprFetch(min(pixel + 2 * toNext, nprSize - 1))));
+}
+
 void main()
 {
   ivec2 pixel = ivec2(texCoord * vec2(nprSize));
-  Surface here = nprFetch(pixel);
-  vec2 edges = vec2(0.0);
-  if (pixel.x + 1 < nprSize.x && nprIsEdge(here, nprFetch(pixel + ivec2(1, 0))))
-  {
-    edges.x = 1.0;
-  }
-  if (pixel.y + 1 < nprSize.y && nprIsEdge(here, nprFetch(pixel + ivec2(0, 1))))
-  {
-    edges.y = 1.0;
-  }
-  gl_FragData[0] = vec4(edges, 0.0, 1.0);
+  gl_FragData[0] = vec4(nprIsLastingEdge(pixel, ivec2(1, 0)) ? 1.0 : 0.0,
+    nprIsLastingEdge(pixel, ivec2(0, 1)) ? 1.0 : 0.0, 0.0, 1.0);
 }

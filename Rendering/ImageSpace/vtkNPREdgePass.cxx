@@ -39,18 +39,33 @@ namespace
 const char* const DeclarationTag = "//NPR::Edges::Dec\n";
 const char* const ImplementationTag = "//NPR::Edges::Impl\n";
 
-const char* const Declaration = R"(
-uniform float nprEdgeObject;
-uniform vec4 nprEdgeDepth; // distance = (x d + y) / (z d + w) of the depth d
+// At the middle of a pixel that a triangle covers only partly, its depth and normal are
+// extrapolated far where it is seen at a grazing angle; at the centroid they are its own.
+const char* const VertexDeclaration = R"(
+centroid out vec4 nprEdgePlace;
+centroid out vec3 nprEdgeNormal;
 )";
-const char* const Implementation = R"(
+const char* const VertexImplementation = R"(
+  nprEdgePlace = gl_Position;
+  nprEdgeNormal = NPR_EDGE_NORMAL;
+)";
+const char* const FragmentDeclaration = R"(
+centroid in vec4 nprEdgePlace;
+centroid in vec3 nprEdgeNormal;
+uniform float nprEdgeObject;
+uniform vec3 nprEdgeRange; // of clip coordinates: dot(nprEdgeRange, (z, w, 1)) is the distance
+)";
+const char* const FragmentImplementation = R"(
   {
-    float nprRange = (nprEdgeDepth.x * gl_FragCoord.z + nprEdgeDepth.y) /
-      (nprEdgeDepth.z * gl_FragCoord.z + nprEdgeDepth.w);
-    gl_FragData[1] = vec4(NPR_EDGE_NORMAL, nprRange, NPR_EDGE_OBJECT);
+    vec3 nprNormal = NPR_EDGE_NORMAL;
+    gl_FragData[1] = vec4(nprNormal.xy / max(1.0 + nprNormal.z, 0.001),
+      dot(nprEdgeRange, vec3(nprEdgePlace.zw, 1.0)), NPR_EDGE_OBJECT);
   }
 )";
-const char* const Normal = "normalVCVSOutput.xy / max(1.0 + normalVCVSOutput.z, 0.001)";
+const char* const SmoothNormal = "(gl_FrontFacing ? 1.0 : -1.0) * normalize(nprEdgeNormal)";
+// With shaders that make lines wide nothing more can be passed on.
+const char* const PlainDeclaration = "uniform float nprEdgeObject;\n";
+const char* const PlainImplementation = "  gl_FragData[1] = vec4(0.0, 0.0, 0.0, -nprEdgeObject);\n";
 
 struct View
 {
@@ -58,7 +73,7 @@ struct View
   bool IsParallel = false;
   double Distance = 1.0;
   float Ray[4];
-  float Depth[4];
+  float Range[3];
 
   explicit View(vtkRenderer* renderer)
   {
@@ -79,12 +94,8 @@ struct View
       this->Ray[i + 2] = static_cast<float>((this->IsParallel ? -at(i, 3) : at(i, 2)) / at(i, i));
     }
     const double scale = at(2, 2);
-    const double shift = at(2, 3);
-    const double depth[2][4] = {
-      { 0.0, shift, 2.0, scale - 1.0 }, // perspective: 2d - 1 = (-scale r + shift) / r
-      { -2.0, 1.0 + shift, 0.0, scale } // parallel: 2d - 1 = -scale r + shift
-    };
-    std::copy_n(depth[this->IsParallel], 4, this->Depth);
+    const double range[2][3] = { { 0.0, 1.0, 0.0 }, { -1.0 / scale, 0.0, at(2, 3) / scale } };
+    std::copy_n(range[this->IsParallel], 3, this->Range);
   }
 };
 
@@ -334,30 +345,48 @@ void vtkNPREdgePass::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool vtkNPREdgePass::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkNPREdgePass::PreReplaceShaderValues(std::string& vertexShader, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
   if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
-      std::string("//VTK::Light::Dec\n") + DeclarationTag, false);
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::TCoord::Impl",
-      std::string("//VTK::TCoord::Impl\n") + ImplementationTag, false);
+    const auto addAfter = [](std::string& shader, const std::string& tag, const char* ours)
+    { vtkShaderProgram::Substitute(shader, tag, tag + "\n" + ours, false); };
+    addAfter(vertexShader, "//VTK::Light::Dec", DeclarationTag);
+    addAfter(vertexShader, "//VTK::Light::Impl", ImplementationTag);
+    addAfter(fragmentShader, "//VTK::Light::Dec", DeclarationTag);
+    addAfter(fragmentShader, "//VTK::TCoord::Impl", ImplementationTag);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkNPREdgePass::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkNPREdgePass::PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  const bool hasNormal = fragmentShader.find("vec3 normalVCVSOutput =") != std::string::npos;
-  vtkShaderProgram::Substitute(fragmentShader, DeclarationTag, Declaration, false);
-  vtkShaderProgram::Substitute(fragmentShader, ImplementationTag, Implementation, false);
-  vtkShaderProgram::Substitute(
-    fragmentShader, "NPR_EDGE_NORMAL", hasNormal ? Normal : "vec2(0.0)", false);
-  vtkShaderProgram::Substitute(
-    fragmentShader, "NPR_EDGE_OBJECT", hasNormal ? "nprEdgeObject" : "-nprEdgeObject", false);
+  const auto replace = [](std::string& shader, const char* ours, const char* code)
+  { vtkShaderProgram::Substitute(shader, ours, code, false); };
+  const auto contains = [&](const char* part)
+  { return fragmentShader.find(part) != std::string::npos; };
+  if (!geometryShader.empty())
+  {
+    replace(fragmentShader, DeclarationTag, PlainDeclaration);
+    replace(fragmentShader, ImplementationTag, PlainImplementation);
+    return true;
+  }
+  const bool isSmooth = contains("in vec3 normalVCVSOutput;");
+  const bool isFlat = !isSmooth && contains("vec3 normalVCVSOutput =");
+  replace(vertexShader, DeclarationTag, VertexDeclaration);
+  replace(vertexShader, ImplementationTag, VertexImplementation);
+  replace(vertexShader, "NPR_EDGE_NORMAL", isSmooth ? "normalVCVSOutput" : "vec3(0.0)");
+  replace(fragmentShader, DeclarationTag, FragmentDeclaration);
+  replace(fragmentShader, ImplementationTag, FragmentImplementation);
+  replace(fragmentShader, "NPR_EDGE_NORMAL",
+    isSmooth   ? SmoothNormal
+      : isFlat ? "normalVCVSOutput"
+               : "vec3(0.0)");
+  replace(
+    fragmentShader, "NPR_EDGE_OBJECT", isSmooth || isFlat ? "nprEdgeObject" : "-nprEdgeObject");
   return true;
 }
 
@@ -371,7 +400,7 @@ bool vtkNPREdgePass::SetShaderParameters(
   if (found != this->Internal->Objects.end() && program->IsUniformUsed("nprEdgeObject"))
   {
     program->SetUniformf("nprEdgeObject", static_cast<float>(found->second));
-    program->SetUniform4f("nprEdgeDepth", this->Internal->Seen->Depth);
+    program->SetUniform3f("nprEdgeRange", this->Internal->Seen->Range);
   }
   return true;
 }

@@ -72,7 +72,7 @@ public:
   /// @name DepthThreshold
   /// How far a surface must be behind the plane of its neighbour, as a share of the distance to the
   /// eye, [0.0001, 1]. In parallel projection that distance is the one at which a perspective view
-  /// with the camera's view angle is as large. Default: 0.01.
+  /// with the camera's view angle is as large. Default: 0.005.
   ///@{
   vtkSetClampMacro(DepthThreshold, double, 1.0e-4, 1.0);
   vtkGetMacro(DepthThreshold, double);
@@ -122,7 +122,7 @@ private:
   double Width = 2.0;
   double Color[3] = { 0.0, 0.0, 0.0 };
   double Opacity = 1.0;
-  double DepthThreshold = 0.01;
+  double DepthThreshold = 0.005;
   double NormalThreshold = 50.0;
   bool ObjectEdges = true;
 
