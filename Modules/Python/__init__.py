@@ -33,6 +33,7 @@ from .vtkNPRFiltersSources import *  # noqa: F401,F403
 from .vtkNPRFiltersStrokes import *  # noqa: F401,F403
 from .vtkNPRIO import *  # noqa: F401,F403
 from .vtkNPRRenderingIllustration import *  # noqa: F401,F403
+from .vtkNPRRenderingImageSpace import *  # noqa: F401,F403
 from .vtkNPRRenderingOffscreen import *  # noqa: F401,F403
 from .vtkNPRRenderingShading import *  # noqa: F401,F403
 from .vtkNPRRenderingStrokes import *  # noqa: F401,F403

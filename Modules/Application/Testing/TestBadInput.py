@@ -133,6 +133,7 @@ class TestBadInput(CommandTest):
 
     def test_bad_lines_and_background(self):
         self.refuse(self.render("--lines", "wrinkles"), USAGE, "wrinkles", "contours")
+        self.refuse(self.render("--outline", "halo"), USAGE, "halo", "image-edges")
         self.refuse(self.render("--set", "levels=5"), USAGE, "KIND.PARAMETER=VALUE")
         self.refuse(self.render("--set", "topographic.levels=5"), USAGE, "topographic", "contours")
         self.refuse(self.render("--lines", "topographic", "--set", "topographic.level=5"), USAGE, "level", "levels")

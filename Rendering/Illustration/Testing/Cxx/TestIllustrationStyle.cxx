@@ -277,5 +277,16 @@ int TestIllustrationStyle(int, char*[])
     "/strokes/opacity_by/0/from is not known");
   CheckRefused(R"({"lines": [{"type": "contours", "taper_length": -1}]})", "/lines/0/taper_length");
   CheckRefused(R"({"lines": [{"type": "contours", "overshoot": []}]})", "/lines/0/overshoot");
+  CheckRefused(R"({"outline": "grazing"})", "/outline must be an object");
+  CheckRefused(
+    R"({"outline": {"kind": "halo"}})", "/outline/kind must be \"none\", \"back-faces\"");
+  CheckRefused(R"({"outline": {"type": "grazing"}})", "/outline/type is not known");
+  CheckRefused(R"({"outline": {"width": 0}})", "/outline/width");
+  CheckRefused(R"({"outline": {"color": "inky"}})", "/outline/color");
+  CheckRefused(R"({"outline": {"grazing_threshold": 1.5}})", "/outline/grazing_threshold");
+  CheckRefused(R"({"outline": {"grazing_softness": -1}})", "/outline/grazing_softness");
+  CheckRefused(R"({"outline": {"depth_threshold": 0}})", "/outline/depth_threshold");
+  CheckRefused(R"({"outline": {"normal_threshold": 270}})", "/outline/normal_threshold");
+  CheckRefused(R"({"outline": {"object_edges": 1}})", "/outline/object_edges");
   return Good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
