@@ -6,6 +6,7 @@
 #include "nprStyleObjects.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRLineDefinition.h"
+#include "vtkNPROutlineNormals.h"
 #include "vtkNPRStrokeMapper.h"
 
 #include <vtkActor.h>
@@ -102,6 +103,11 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
     this->ShownNormals->SetFeatureAngle(style.Geometry.CreaseAngle);
   }
   this->SurfaceMapper->vtkMapper::ShallowCopy(this->OriginalMapper);
+  if (style.Outline.Kind == OutlineStyle::BackFaces)
+  {
+    this->OutlineNormals = vtkSmartPointer<vtkNPROutlineNormals>::New();
+    vtkNPROutlineNormals::PassTo(this->SurfaceMapper);
+  }
   this->Connect();
   this->MatrixScale = ComputeScale(actor->GetMatrix());
   this->Pipeline.Tune(style.Geometry, scale.GetUnit(actor->GetMatrix()), !this->IsTextured);
@@ -149,16 +155,19 @@ void ActorIllustration::Connect()
   this->Source = MakeSurfaceSource(this->OriginalMapper);
   this->Pipeline.SetInputConnection(
     this->Source ? this->Source->GetOutputPort() : this->Input.Get());
+  vtkAlgorithmOutput* shown =
+    this->IsTextured ? this->Input.Get() : this->Pipeline.GetSurfacePort();
   if (this->ShownNormals)
   {
-    this->ShownNormals->SetInputConnection(this->Input);
-    this->SurfaceMapper->SetInputConnection(this->ShownNormals->GetOutputPort());
+    this->ShownNormals->SetInputConnection(shown);
+    shown = this->ShownNormals->GetOutputPort();
   }
-  else
+  if (this->OutlineNormals)
   {
-    this->SurfaceMapper->SetInputConnection(
-      this->IsTextured ? this->Input.Get() : this->Pipeline.GetSurfacePort());
+    this->OutlineNormals->SetInputConnection(shown);
+    shown = this->OutlineNormals->GetOutputPort();
   }
+  this->SurfaceMapper->SetInputConnection(shown);
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ class vtkActor;
 class vtkAlgorithm;
 class vtkMapper;
 class vtkMatrix4x4;
+class vtkNPROutlineNormals;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkPolyDataNormals;
@@ -81,10 +82,11 @@ private:
   vtkSmartPointer<vtkProperty> OriginalProperty;
   vtkSmartPointer<vtkTexture> OriginalTexture;
   vtkSmartPointer<vtkPolyDataMapper> SurfaceMapper;
-  vtkSmartPointer<vtkAlgorithm> Source;             // the surface of what is no vtkPolyData
-  vtkSmartPointer<vtkPolyDataNormals> ShownNormals; // of a textured surface that has none
-  vtkSmartPointer<vtkAlgorithmOutput> Input;        // what the user's mapper shows
-  bool IsTextured = false;                          // and so shown as it is, not refined
+  vtkSmartPointer<vtkAlgorithm> Source;                 // the surface of what is no vtkPolyData
+  vtkSmartPointer<vtkPolyDataNormals> ShownNormals;     // of a textured surface that has none
+  vtkSmartPointer<vtkAlgorithmOutput> Input;            // what the user's mapper shows
+  vtkSmartPointer<vtkNPROutlineNormals> OutlineNormals; // for enlarged back faces
+  bool IsTextured = false;                              // and so shown as it is, not refined
   SurfacePipeline Pipeline;
   std::vector<LineStrokes> AllStrokes;
   double MatrixScale = 1.0;

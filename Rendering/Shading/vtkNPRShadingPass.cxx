@@ -3,6 +3,7 @@
 #include "vtkNPRShadingPass.h"
 
 #include "vtkNPROutlineFS.h"
+#include "vtkNPROutlineNormals.h"
 #include "vtkNPROutlineVS.h"
 #include "vtkNPRPhongStyle.h"
 #include "vtkNPRShadingFS.h"
@@ -80,7 +81,7 @@ const char* const Implementation = R"(
 // After textures, which do not colour an outline.
 const char* const OutlineImplementation =
   "  gl_FragData[0].rgb = nprOutline(nprSurface, gl_FragData[0].rgb);\n";
-const char* const PushImplementation = "  gl_Position = nprPush(gl_Position, normalVCVSOutput);\n";
+const char* const PushImplementation = "  gl_Position = nprPush(gl_Position, NPR_PUSH_NORMAL);\n";
 
 // Physically based materials have linear colours.
 const char* const PlainColor = "diffuseColor";
@@ -120,9 +121,15 @@ public:
 };
 vtkStandardNewMacro(OpaqueStep);
 
-// Which primitives a mapper is drawing is protected there, and says more than the shader's text.
+// Which primitives a mapper is drawing, and what else its vertices have, is protected there, and
+// says more than the shader's text.
 struct MapperAccess : vtkOpenGLPolyDataMapper
 {
+  static bool HasAttribute(vtkOpenGLPolyDataMapper* mapper, const char* name)
+  {
+    return (mapper->*(&MapperAccess::ExtraAttributes)).count(name) > 0;
+  }
+
   static bool DrawsTriangles(vtkOpenGLPolyDataMapper* mapper)
   {
     const vtkOpenGLHelper* helper = mapper->*(&MapperAccess::LastBoundBO);
@@ -505,9 +512,15 @@ bool vtkNPRShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   if (this->Outline == BackFaces && smooth)
   {
+    const std::string attribute = vtkNPROutlineNormals::GetAttributeName();
+    const bool hasOwn = MapperAccess::HasAttribute(polyDataMapper, attribute.c_str());
     vtkShaderProgram::Substitute(pushed, DeclarationTag,
-      std::string("uniform int nprParallelProjection;\n") + vtkNPROutlineVS, false);
+      "uniform int nprParallelProjection;\n" + (hasOwn ? "in vec3 " + attribute + ";\n" : "") +
+        vtkNPROutlineVS,
+      false);
     vtkShaderProgram::Substitute(pushed, OutlineTag, PushImplementation, false);
+    vtkShaderProgram::Substitute(pushed, "NPR_PUSH_NORMAL",
+      hasOwn ? "normalMatrix * " + attribute : "normalVCVSOutput", false);
   }
 
   // The style's code may be good alone, but use a name that is one of VTK's. The program is cached,

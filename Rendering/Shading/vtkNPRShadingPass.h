@@ -69,8 +69,9 @@ public:
   /// that; vtkNPREdgePass finds edges of pixels). On opaque surfaces that a style shades.
   ///  - NoOutline: the default.
   ///  - BackFaces: the back faces are drawn again, enlarged by OutlineWidth pixels along their
-  ///    normals, so that a rim of them shows around what is closed and has point normals. It has
-  ///    the same width everywhere and is as smooth as surfaces are: use multisampling.
+  ///    normals, so that a rim of them shows around what is closed and has point normals. As smooth
+  ///    as surfaces are: use multisampling. Around sharp edges with several normals it has gaps
+  ///    unless there is a vtkNPROutlineNormals.
   ///  - Grazing: dark where the cosine between normal and view direction is below
   ///    OutlineThreshold, [0, 1], softened over OutlineSoftness, [0, 1], but at least a pixel. Thin
   ///    where a surface bends strongly, wide where it is flat, and none along sharp edges.

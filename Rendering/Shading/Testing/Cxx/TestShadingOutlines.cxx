@@ -5,6 +5,7 @@
 
 #include "nprImageComparison.h"
 #include "nprOutlineTesting.h"
+#include "vtkNPROutlineNormals.h"
 #include "vtkNPRShadingPass.h"
 
 #include <vtkRenderStepsPass.h>
@@ -94,6 +95,55 @@ void TestGrazing(Checker& check, int argc, char* argv[])
   stage.Renderer->GetActiveCamera()->ParallelProjectionOff();
   check(npr::CompareWithBaseline(stage.Window, "OutlineGrazing", argc, argv) == EXIT_SUCCESS,
     "the baseline OutlineGrazing");
+}
+
+// The outline of a box, whose corners have three normals each, is closed by their means.
+void TestCorners(Checker& check)
+{
+  OutlineStage stage(BackFaces);
+  const double h = 0.55;
+  vtkNew<vtkCubeSource> box;
+  box->SetXLength(2.0 * h);
+  box->SetYLength(2.0 * h);
+  box->SetZLength(2.0 * h);
+  vtkNew<vtkNPROutlineNormals> normals;
+  normals->SetInputConnection(box->GetOutputPort());
+  vtkActor* actor = stage.Add(box->GetOutputPort());
+  MakeWhite(actor);
+  stage.Renderer->GetActiveCamera()->SetPosition(2.2, 1.7, 2.9);
+  stage.Pass->SetOutlineWidth(5.0);
+  // The six corners of the outline.
+  const double corners[6][3] = { { -h, h, h }, { -h, -h, h }, { h, -h, h }, { h, -h, -h },
+    { h, h, -h }, { -h, h, -h } };
+  const auto countGaps = [&]()
+  {
+    const Image image = stage.Render(check.Folder + "/OutlineCorners.png");
+    const Place middle = stage.Project(0, 0, 0);
+    int gaps = 0;
+    for (const double* corner : corners)
+    {
+      Place place = stage.Project(corner[0], corner[1], corner[2]);
+      const double length = std::hypot(place[0] - middle[0], place[1] - middle[1]);
+      for (int i : { 0, 1 })
+      {
+        place[i] += 2.5 * (place[i] - middle[i]) / length;
+      }
+      gaps += GetInk(image, place[0], place[1]) < 0.9;
+    }
+    return gaps;
+  };
+  check(countGaps() > 0, "a box without gaps: is there anything to mend?");
+  actor->GetMapper()->SetInputConnection(normals->GetOutputPort());
+  vtkNPROutlineNormals::PassTo(vtkPolyDataMapper::SafeDownCast(actor->GetMapper()));
+  check(countGaps() == 0, "gaps at the corners of a box");
+
+  vtkNew<vtkSphereSource> bare;
+  bare->GenerateNormalsOff();
+  normals->SetInputConnection(bare->GetOutputPort());
+  vtkNew<MessageCatcher> messages;
+  messages->Watch(normals);
+  normals->Update();
+  check(messages->Errors.size() == 1, "a surface without normals is not refused");
 }
 
 // Without an outline again, and beside it, it is the picture of before to the last bit.
@@ -212,6 +262,7 @@ int TestShadingOutlines(int argc, char* argv[])
   Checker check(argc, argv);
   TestRim(check, argc, argv);
   TestGrazing(check, argc, argv);
+  TestCorners(check);
   TestRemoval(check);
   TestTranslucent(check);
   TestOpen(check);
