@@ -50,6 +50,7 @@ void EdgeBuffers::Allocate(vtkOpenGLRenderWindow* window, const int viewport[4],
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   MakeTarget(window, this->Edges, this->EdgeFramebuffer, this->Viewport + 2, 2);
+  MakeTarget(window, this->Linked, this->LinkedFramebuffer, this->Viewport + 2, 2);
   MakeTarget(window, this->Lines, this->LineFramebuffer, this->Viewport + 2, 4);
   state->PopFramebufferBindings();
 }
@@ -102,6 +103,13 @@ void EdgeBuffers::BindEdges()
 }
 
 //------------------------------------------------------------------------------
+void EdgeBuffers::BindLinked()
+{
+  this->LinkedFramebuffer->Bind();
+  this->LinkedFramebuffer->ActivateDrawBuffer(0);
+}
+
+//------------------------------------------------------------------------------
 void EdgeBuffers::BindLines()
 {
   this->LineFramebuffer->Bind();
@@ -112,9 +120,11 @@ void EdgeBuffers::BindLines()
 void EdgeBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->EdgeFramebuffer->ReleaseGraphicsResources(window);
+  this->LinkedFramebuffer->ReleaseGraphicsResources(window);
   this->LineFramebuffer->ReleaseGraphicsResources(window);
   this->Surfaces->ReleaseGraphicsResources(window);
   this->Edges->ReleaseGraphicsResources(window);
+  this->Linked->ReleaseGraphicsResources(window);
   this->Lines->ReleaseGraphicsResources(window);
 }
 }

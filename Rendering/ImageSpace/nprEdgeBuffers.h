@@ -36,11 +36,13 @@ public:
   /// Binds a framebuffer for them; the caller restores the bindings.
   ///@{
   void BindEdges();
+  void BindLinked();
   void BindLines();
   ///@}
 
   vtkTextureObject* GetSurfaces() { return this->Surfaces; }
   vtkTextureObject* GetEdges() { return this->Edges; }
+  vtkTextureObject* GetLinked() { return this->Linked; }
   vtkTextureObject* GetLines() { return this->Lines; }
 
   /// Of the surfaces; 0 without multisampling.
@@ -53,8 +55,10 @@ private:
 
   vtkNew<vtkTextureObject> Surfaces; // covers the framebuffer up to the viewport's upper right
   vtkNew<vtkTextureObject> Edges;    // these cover the viewport
+  vtkNew<vtkTextureObject> Linked;
   vtkNew<vtkTextureObject> Lines;
   vtkNew<vtkOpenGLFramebufferObject> EdgeFramebuffer;
+  vtkNew<vtkOpenGLFramebufferObject> LinkedFramebuffer;
   vtkNew<vtkOpenGLFramebufferObject> LineFramebuffer;
   int Viewport[4] = { 0, 0, 0, 0 };
   int Samples = -1;

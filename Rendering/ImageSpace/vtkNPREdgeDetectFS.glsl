@@ -1,6 +1,7 @@
 //VTK::Output::Dec
 // Between which pixels there is an edge: red towards the pixel at the right, green towards the one
-// above.
+// above. 1 for one between objects, 0.75 for one within, 0.25 for one that is weaker than the
+// thresholds, but not much.
 
 // Of each pixel: its normal by stereographic projection, its distance along the view direction, and
 // its object (0: none; negative: one without normals).
@@ -37,7 +38,8 @@ Surface nprFetch(ivec2 pixel)
   return s;
 }
 
-bool nprIsEdge(Surface a, Surface b)
+// Factor 1: by the thresholds; a smaller one: by as much lower ones.
+bool nprIsEdge(Surface a, Surface b, float factor)
 {
   if (a.object == 0.0 || b.object == 0.0)
   {
@@ -56,31 +58,47 @@ bool nprIsEdge(Surface a, Surface b)
   vec3 between = b.position - a.position;
   float gap = max(abs(dot(a.normal, between)), abs(dot(b.normal, between)));
   float range = nprParallelProjection != 0 ? nprViewDistance : min(a.range, b.range);
-  return gap > nprDepthThreshold * range || dot(a.normal, b.normal) < nprNormalCosine;
+  // The cosine of the smaller angle, as for small ones.
+  float cosine = 1.0 - factor * factor * (1.0 - nprNormalCosine);
+  return gap > factor * nprDepthThreshold * range || dot(a.normal, b.normal) < cosine;
 }
 
 // Within an object, what is but a pixel wide is noise: both pixels must differ from what is beyond
 // the other, too.
-bool nprIsLastingEdge(ivec2 pixel, ivec2 toNext)
+bool nprIsLastingEdge(Surface before, Surface here, Surface next, Surface beyond, float factor)
+{
+  return nprIsEdge(here, next, factor) && nprIsEdge(before, next, factor) &&
+    nprIsEdge(here, beyond, factor);
+}
+
+const float Weak = 0.5;
+
+float nprStrength(ivec2 pixel, ivec2 toNext)
 {
   if (any(greaterThanEqual(pixel + toNext, nprSize)))
   {
-    return false;
+    return 0.0;
   }
   Surface here = nprFetch(pixel);
   Surface next = nprFetch(pixel + toNext);
-  if (!nprIsEdge(here, next))
+  if (!nprIsEdge(here, next, Weak))
   {
-    return false;
+    return 0.0;
   }
-  return here.object != next.object ||
-    (nprIsEdge(nprFetch(max(pixel - toNext, ivec2(0))), next) &&
-      nprIsEdge(here, nprFetch(min(pixel + 2 * toNext, nprSize - 1))));
+  if (here.object == 0.0 || next.object == 0.0 ||
+    (nprObjectEdges != 0 && abs(here.object) != abs(next.object)))
+  {
+    return 1.0;
+  }
+  Surface before = nprFetch(max(pixel - toNext, ivec2(0)));
+  Surface beyond = nprFetch(min(pixel + 2 * toNext, nprSize - 1));
+  return nprIsLastingEdge(before, here, next, beyond, 1.0) ? 0.75
+    : nprIsLastingEdge(before, here, next, beyond, Weak)   ? 0.25
+                                                           : 0.0;
 }
 
 void main()
 {
   ivec2 pixel = ivec2(texCoord * vec2(nprSize));
-  gl_FragData[0] = vec4(nprIsLastingEdge(pixel, ivec2(1, 0)) ? 1.0 : 0.0,
-    nprIsLastingEdge(pixel, ivec2(0, 1)) ? 1.0 : 0.0, 0.0, 1.0);
+  gl_FragData[0] = vec4(nprStrength(pixel, ivec2(1, 0)), nprStrength(pixel, ivec2(0, 1)), 0.0, 1.0);
 }

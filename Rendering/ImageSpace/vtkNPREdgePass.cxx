@@ -6,6 +6,7 @@
 #include "vtkNPREdgeDetectFS.h"
 #include "vtkNPREdgeFitFS.h"
 #include "vtkNPREdgeInkFS.h"
+#include "vtkNPREdgeLinkFS.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -127,6 +128,7 @@ public:
     this->Buffers.ReleaseGraphicsResources(window);
     this->Detect.reset();
     this->DetectMultisampled.reset();
+    this->Link.reset();
     this->Fit.reset();
     this->Ink.reset();
   }
@@ -138,6 +140,7 @@ public:
   npr::EdgeBuffers Buffers;
   std::unique_ptr<vtkOpenGLQuadHelper> Detect;
   std::unique_ptr<vtkOpenGLQuadHelper> DetectMultisampled;
+  std::unique_ptr<vtkOpenGLQuadHelper> Link;
   std::unique_ptr<vtkOpenGLQuadHelper> Fit;
   std::unique_ptr<vtkOpenGLQuadHelper> Ink;
 };
@@ -305,16 +308,23 @@ void vtkNPREdgePass::RenderLines()
     });
   surfaces->Deactivate();
 
+  // From one image to the next.
+  const auto derive =
+    [&](std::unique_ptr<vtkOpenGLQuadHelper>& quad, const char* code, vtkTextureObject* edges)
+  {
+    edges->Activate();
+    Draw(window, quad, code,
+      [&](vtkShaderProgram* program)
+      {
+        program->SetUniformi("nprEdges", edges->GetTextureUnit());
+        program->SetUniform2i("nprSize", size);
+      });
+    edges->Deactivate();
+  };
+  internal.Buffers.BindLinked();
+  derive(internal.Link, vtkNPREdgeLinkFS, internal.Buffers.GetEdges());
   internal.Buffers.BindLines();
-  vtkTextureObject* edges = internal.Buffers.GetEdges();
-  edges->Activate();
-  Draw(window, internal.Fit, vtkNPREdgeFitFS,
-    [&](vtkShaderProgram* program)
-    {
-      program->SetUniformi("nprEdges", edges->GetTextureUnit());
-      program->SetUniform2i("nprSize", size);
-    });
-  edges->Deactivate();
+  derive(internal.Fit, vtkNPREdgeFitFS, internal.Buffers.GetLinked());
   state->PopFramebufferBindings();
 
   state->vtkglViewport(origin[0], origin[1], size[0], size[1]);

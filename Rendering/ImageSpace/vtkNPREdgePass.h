@@ -18,6 +18,9 @@
  * drawn once. The lines cost the same for every model. They have no chains, no names and no depth
  * of their own; vtkNPRFeatureLines finds lines that have.
  *
+ * Where an edge sinks to half of the thresholds, its line goes on for some pixels, so that it is
+ * not broken. What is one pixel wide within an object has none.
+ *
  * Lines run between what a vtkOpenGLPolyDataMapper draws. Props that are unlit have no normals and
  * get lines only where they meet other props and the background; parts of assemblies and other
  * props are background. Lines are smooth with and without multisampling. Where a framebuffer takes
