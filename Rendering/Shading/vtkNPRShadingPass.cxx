@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRShadingPass.h"
 
+#include "nprShadingLights.h"
+#include "nprShadingSteps.h"
 #include "vtkNPROutlineFS.h"
 #include "vtkNPROutlineNormals.h"
 #include "vtkNPROutlineVS.h"
@@ -13,12 +15,8 @@
 #include <vtkCamera.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
-#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
-#include <vtkOpaquePass.h>
 #include <vtkOpenGLError.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLPolyDataMapper.h>
@@ -27,15 +25,12 @@
 #include <vtkOpenGLState.h>
 #include <vtkProperty.h>
 #include <vtkRenderState.h>
-#include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
-#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 vtkStandardNewMacro(vtkNPRShadingPass);
@@ -87,40 +82,6 @@ const char* const PushImplementation = "  gl_Position = nprPush(gl_Position, NPR
 const char* const PlainColor = "diffuseColor";
 const char* const PhysicalColor = "pow(max(albedo, vec3(0.0)), vec3(1.0 / 2.2))";
 
-// The renderer knows better than a vtkTranslucentPass how its translucent props are to be drawn.
-class TranslucentStep : public vtkRenderPass
-{
-public:
-  static TranslucentStep* New();
-  vtkTypeMacro(TranslucentStep, vtkRenderPass);
-  void Render(const vtkRenderState* state) override
-  {
-    this->NumberOfRenderedProps = 0;
-    vtkProp** props = state->GetPropArray();
-    if (std::any_of(props, props + state->GetPropArrayCount(),
-          [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
-    {
-      state->GetRenderer()->DeviceRenderTranslucentPolygonalGeometry();
-    }
-  }
-};
-vtkStandardNewMacro(TranslucentStep);
-
-// Draws opaque props, and what is to come after them and before translucent ones.
-class OpaqueStep : public vtkOpaquePass
-{
-public:
-  static OpaqueStep* New();
-  vtkTypeMacro(OpaqueStep, vtkOpaquePass);
-  void Render(const vtkRenderState* state) override
-  {
-    this->Superclass::Render(state);
-    this->After();
-  }
-  std::function<void()> After;
-};
-vtkStandardNewMacro(OpaqueStep);
-
 // Which primitives a mapper is drawing, and what else its vertices have, is protected there, and
 // says more than the shader's text.
 struct MapperAccess : vtkOpenGLPolyDataMapper
@@ -135,73 +96,6 @@ struct MapperAccess : vtkOpenGLPolyDataMapper
     const vtkOpenGLHelper* helper = mapper->*(&MapperAccess::LastBoundBO);
     return helper &&
       (helper->PrimitiveType == PrimitiveTris || helper->PrimitiveType == PrimitiveTriStrips);
-  }
-};
-
-// A renderer's lights in view coordinates, as vtkNPRShadingFS.glsl declares them.
-struct Lights
-{
-  static constexpr int Maximum = vtkNPRShadingPass::MaximumNumberOfLights;
-  int Count = 0;
-  int Kind = 1; // as vtkNPRShadingFS.glsl says
-  bool TooMany = false;
-  float Color[Maximum][3];
-  float Axis[Maximum][3];
-  float Position[Maximum][4];
-  float Attenuation[Maximum][3];
-  float Cone[Maximum][2];
-
-  explicit Lights(vtkRenderer* renderer)
-  {
-    vtkTransform* view = renderer->GetActiveCamera()->GetModelViewTransformObject();
-    vtkLightCollection* lights = renderer->GetLights();
-    vtkCollectionSimpleIterator cookie;
-    lights->InitTraversal(cookie);
-    while (vtkLight* light = lights->GetNextLight(cookie))
-    {
-      if (!light->GetSwitch())
-      {
-        continue;
-      }
-      if (this->Count == Maximum)
-      {
-        this->TooMany = true;
-        return;
-      }
-      this->Append(light, view);
-    }
-  }
-
-private:
-  void Append(vtkLight* light, vtkTransform* view)
-  {
-    const int i = this->Count++;
-    double position[3];
-    double focalPoint[3];
-    light->GetTransformedPosition(position);
-    light->GetTransformedFocalPoint(focalPoint);
-    double axis[3];
-    vtkMath::Subtract(focalPoint, position, axis);
-    vtkMath::Normalize(axis);
-    view->TransformVector(axis, axis);
-    view->TransformPoint(position, position);
-
-    const bool positional = light->GetPositional() != 0;
-    const bool simple = this->Count == 1 && light->LightTypeIsHeadlight();
-    this->Kind = std::max(this->Kind, positional ? 3 : simple ? 1 : 2);
-    const bool spot = positional && light->GetConeAngle() < 90.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Color[i][c] = static_cast<float>(light->GetDiffuseColor()[c] * light->GetIntensity());
-      this->Axis[i][c] = static_cast<float>(axis[c]);
-      this->Position[i][c] = static_cast<float>(position[c]);
-      this->Attenuation[i][c] = static_cast<float>(light->GetAttenuationValues()[c]);
-    }
-    this->Position[i][3] = positional ? 1.0f : 0.0f;
-    this->Cone[i][0] = spot
-      ? static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle())))
-      : -2.0f;
-    this->Cone[i][1] = static_cast<float>(light->GetExponent());
   }
 };
 
@@ -290,12 +184,7 @@ void vtkNPRShadingPass::SetDelegatePass(vtkRenderPass* pass)
   }
   else
   {
-    auto steps = vtkSmartPointer<vtkRenderStepsPass>::New();
-    auto opaque = vtkSmartPointer<OpaqueStep>::New();
-    opaque->After = [this]() { this->DrawBackFaces(); };
-    steps->SetOpaquePass(opaque);
-    steps->SetTranslucentPass(vtkSmartPointer<TranslucentStep>::New());
-    this->DelegatePass = steps;
+    this->DelegatePass = npr::MakeShadingSteps([this]() { this->DrawBackFaces(); });
   }
   this->Modified();
 }
@@ -495,7 +384,7 @@ bool vtkNPRShadingPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   std::string shaded = fragmentShader;
   // VTK builds shaders anew when number or kind of lights change.
-  const Lights lights(this->Renderer);
+  const npr::ShadingLights lights(this->Renderer);
   const bool smooth = Contains(shaded, "in vec3 normalVCVSOutput;");
   vtkShaderProgram::Substitute(shaded, DeclarationTag,
     NormalMacro[smooth] + GetDeclarations(this->Style, this->Outline, lights.Count, lights.Kind),
@@ -545,7 +434,7 @@ bool vtkNPRShadingPass::PostReplaceShaderValues(std::string& vertexShader,
 bool vtkNPRShadingPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
-  const Lights lights(this->Renderer);
+  const npr::ShadingLights lights(this->Renderer);
   if (lights.TooMany && !this->WarnedOfLights)
   {
     this->WarnedOfLights = true;
