@@ -81,6 +81,12 @@ int TestIllustrationOutlines(int, char*[])
   const std::string grazing = R"("kind": "grazing", "grazing_softness": 0, "grazing_threshold": )";
   Check(draw("phong", grazing + "0.5") > 2 * draw("phong", grazing + "0.2"), "the threshold");
 
+  const std::string edges = R"("kind": "image-edges", "color": "black", "object_edges": )";
+  Check(draw("phong", edges + R"(true, "depth_threshold": 0.01, "normal_threshold": 60)") > 500,
+    "all keys of edges of the image");
+  Check(draw("phong", edges + R"(false, "normal_threshold": 180)") > 500, "without object edges");
+  Check(draw("phong", R"("kind": "back-faces", "color": "white")") == 0, "the colour");
+
   scene.Style->SetOutline(99);
   Check(scene.Style->GetOutline() == vtkNPRIllustrationStyle::ImageEdges, "a kind out of range");
 
