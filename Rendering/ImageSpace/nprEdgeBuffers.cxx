@@ -31,6 +31,12 @@ void MakeTarget(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   framebuffer->Bind();
   framebuffer->AddColorAttachment(0, texture);
 }
+
+void BindTarget(vtkOpenGLFramebufferObject* framebuffer)
+{
+  framebuffer->Bind();
+  framebuffer->ActivateDrawBuffer(0);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -52,6 +58,9 @@ void EdgeBuffers::Allocate(vtkOpenGLRenderWindow* window, const int viewport[4],
   MakeTarget(window, this->Edges, this->EdgeFramebuffer, this->Viewport + 2, 2);
   MakeTarget(window, this->Linked, this->LinkedFramebuffer, this->Viewport + 2, 2);
   MakeTarget(window, this->Lines, this->LineFramebuffer, this->Viewport + 2, 4);
+  const int blocks[2] = { (viewport[2] + BlockSize - 1) / BlockSize,
+    (viewport[3] + BlockSize - 1) / BlockSize };
+  MakeTarget(window, this->Blocks, this->BlockFramebuffer, blocks, 1);
   state->PopFramebufferBindings();
 }
 
@@ -98,22 +107,25 @@ void EdgeBuffers::EndSurfaces()
 //------------------------------------------------------------------------------
 void EdgeBuffers::BindEdges()
 {
-  this->EdgeFramebuffer->Bind();
-  this->EdgeFramebuffer->ActivateDrawBuffer(0);
+  BindTarget(this->EdgeFramebuffer);
 }
 
 //------------------------------------------------------------------------------
 void EdgeBuffers::BindLinked()
 {
-  this->LinkedFramebuffer->Bind();
-  this->LinkedFramebuffer->ActivateDrawBuffer(0);
+  BindTarget(this->LinkedFramebuffer);
 }
 
 //------------------------------------------------------------------------------
 void EdgeBuffers::BindLines()
 {
-  this->LineFramebuffer->Bind();
-  this->LineFramebuffer->ActivateDrawBuffer(0);
+  BindTarget(this->LineFramebuffer);
+}
+
+//------------------------------------------------------------------------------
+void EdgeBuffers::BindBlocks()
+{
+  BindTarget(this->BlockFramebuffer);
 }
 
 //------------------------------------------------------------------------------
@@ -121,10 +133,12 @@ void EdgeBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->EdgeFramebuffer->ReleaseGraphicsResources(window);
   this->LinkedFramebuffer->ReleaseGraphicsResources(window);
+  this->BlockFramebuffer->ReleaseGraphicsResources(window);
   this->LineFramebuffer->ReleaseGraphicsResources(window);
   this->Surfaces->ReleaseGraphicsResources(window);
   this->Edges->ReleaseGraphicsResources(window);
   this->Linked->ReleaseGraphicsResources(window);
+  this->Blocks->ReleaseGraphicsResources(window);
   this->Lines->ReleaseGraphicsResources(window);
 }
 }

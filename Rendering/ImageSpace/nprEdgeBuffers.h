@@ -33,17 +33,22 @@ public:
   void EndSurfaces();
 
   /// @name Edges and the lines through them
+  /// Pixels of a block's side, as in the shaders.
+  static constexpr int BlockSize = 8;
+
   /// Binds a framebuffer for them; the caller restores the bindings.
   ///@{
   void BindEdges();
   void BindLinked();
   void BindLines();
+  void BindBlocks();
   ///@}
 
   vtkTextureObject* GetSurfaces() { return this->Surfaces; }
   vtkTextureObject* GetEdges() { return this->Edges; }
   vtkTextureObject* GetLinked() { return this->Linked; }
   vtkTextureObject* GetLines() { return this->Lines; }
+  vtkTextureObject* GetBlocks() { return this->Blocks; }
 
   /// Of the surfaces; 0 without multisampling.
   int GetSamples() const { return this->Samples; }
@@ -57,9 +62,11 @@ private:
   vtkNew<vtkTextureObject> Edges;    // these cover the viewport
   vtkNew<vtkTextureObject> Linked;
   vtkNew<vtkTextureObject> Lines;
+  vtkNew<vtkTextureObject> Blocks; // this a texel for each block of them
   vtkNew<vtkOpenGLFramebufferObject> EdgeFramebuffer;
   vtkNew<vtkOpenGLFramebufferObject> LinkedFramebuffer;
   vtkNew<vtkOpenGLFramebufferObject> LineFramebuffer;
+  vtkNew<vtkOpenGLFramebufferObject> BlockFramebuffer;
   int Viewport[4] = { 0, 0, 0, 0 };
   int Samples = -1;
   unsigned int FirstBuffer = 0;

@@ -4,6 +4,7 @@
 
 in vec2 texCoord; // over the viewport
 uniform sampler2D nprLines;
+uniform sampler2D nprBlocks; // as vtkNPREdgeBlocksFS.glsl has them
 uniform ivec2 nprSize;
 uniform float nprWidth;
 uniform vec4 nprInk;
@@ -19,12 +20,33 @@ vec2 nprOffsets(vec2 code)
   return (code * 255.0 - 1.0) / 254.0 - 0.5;
 }
 
+const int Block = 8; // pixels
+
+bool nprHasLines(ivec2 low, ivec2 high)
+{
+  for (int y = low.y / Block; y <= high.y / Block; ++y)
+  {
+    for (int x = low.x / Block; x <= high.x / Block; ++x)
+    {
+      if (texelFetch(nprBlocks, ivec2(x, y), 0).r > 0.5)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 void main()
 {
   ivec2 pixel = ivec2(texCoord * vec2(nprSize));
   float radius = 0.5 * max(nprWidth, 1.0) + 0.5;
   ivec2 low = max(pixel - int(radius + 1.0), ivec2(0));
   ivec2 high = min(pixel + int(radius + 0.5), nprSize - 1);
+  if (!nprHasLines(low, high))
+  {
+    discard;
+  }
   float nearest = radius;
   for (int y = low.y; y <= high.y; ++y)
   {

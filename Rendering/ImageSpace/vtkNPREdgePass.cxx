@@ -3,6 +3,7 @@
 #include "vtkNPREdgePass.h"
 
 #include "nprEdgeBuffers.h"
+#include "vtkNPREdgeBlocksFS.h"
 #include "vtkNPREdgeDetectFS.h"
 #include "vtkNPREdgeFitFS.h"
 #include "vtkNPREdgeInkFS.h"
@@ -130,6 +131,7 @@ public:
     this->DetectMultisampled.reset();
     this->Link.reset();
     this->Fit.reset();
+    this->Blocks.reset();
     this->Ink.reset();
   }
 
@@ -142,6 +144,7 @@ public:
   std::unique_ptr<vtkOpenGLQuadHelper> DetectMultisampled;
   std::unique_ptr<vtkOpenGLQuadHelper> Link;
   std::unique_ptr<vtkOpenGLQuadHelper> Fit;
+  std::unique_ptr<vtkOpenGLQuadHelper> Blocks;
   std::unique_ptr<vtkOpenGLQuadHelper> Ink;
 };
 
@@ -325,6 +328,10 @@ void vtkNPREdgePass::RenderLines()
   derive(internal.Link, vtkNPREdgeLinkFS, internal.Buffers.GetEdges());
   internal.Buffers.BindLines();
   derive(internal.Fit, vtkNPREdgeFitFS, internal.Buffers.GetLinked());
+  constexpr int Block = npr::EdgeBuffers::BlockSize;
+  internal.Buffers.BindBlocks();
+  state->vtkglViewport(0, 0, (size[0] + Block - 1) / Block, (size[1] + Block - 1) / Block);
+  derive(internal.Blocks, vtkNPREdgeBlocksFS, internal.Buffers.GetLines());
   state->PopFramebufferBindings();
 
   state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
@@ -332,17 +339,21 @@ void vtkNPREdgePass::RenderLines()
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   vtkTextureObject* lines = internal.Buffers.GetLines();
+  vtkTextureObject* blocks = internal.Buffers.GetBlocks();
   lines->Activate();
+  blocks->Activate();
   Draw(window, internal.Ink, vtkNPREdgeInkFS,
     [&](vtkShaderProgram* program)
     {
       const float ink[4] = { static_cast<float>(this->Color[0]), static_cast<float>(this->Color[1]),
         static_cast<float>(this->Color[2]), static_cast<float>(this->Opacity) };
       program->SetUniformi("nprLines", lines->GetTextureUnit());
+      program->SetUniformi("nprBlocks", blocks->GetTextureUnit());
       program->SetUniform2i("nprSize", size);
       program->SetUniformf("nprWidth", static_cast<float>(this->Width));
       program->SetUniform4f("nprInk", ink);
     });
+  blocks->Deactivate();
   lines->Deactivate();
 }
 
