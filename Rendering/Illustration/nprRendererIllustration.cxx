@@ -22,7 +22,7 @@ RendererIllustration::RendererIllustration(vtkRenderer* renderer, const StyleDoc
     AutomaticLights(renderer->GetAutomaticLightCreation() != 0),
     Gradient(renderer->GetGradientBackground()), DepthPeeling(renderer->GetUseDepthPeeling() != 0)
 {
-  // Strokes are not drawn with it.
+  // With it strokes would lie over volumes and annotations, too.
   renderer->UseDepthPeelingOff();
   renderer->GetBackground(this->Background);
   renderer->GetBackground2(this->Background2);
