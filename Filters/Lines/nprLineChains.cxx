@@ -74,12 +74,13 @@ public:
       const LineNode node = this->Segments.Crossings[segment].GetNode(this->Surface, end % 2);
       for (const Index point : { node.From, node.To })
       {
-        Prefetch(&this->Surface.GetMesh().GetPoint(point));
-        if (this->Normals[0])
+        for (int axis = 0; axis < 3; ++axis)
         {
-          Prefetch(this->Normals[0] + point);
-          Prefetch(this->Normals[1] + point);
-          Prefetch(this->Normals[2] + point);
+          Prefetch(this->Surface.GetCoordinate(axis) + point);
+          if (this->Normals[axis])
+          {
+            Prefetch(this->Normals[axis] + point);
+          }
         }
       }
     }
@@ -91,10 +92,17 @@ private:
     return { this->Normals[0][point], this->Normals[1][point], this->Normals[2][point] };
   }
 
+  // From the spans that fields are evaluated over: the cache is likely to have them still.
+  Eigen::Vector3f GetPoint(Index point) const
+  {
+    return { this->Surface.GetCoordinate(0)[point], this->Surface.GetCoordinate(1)[point],
+      this->Surface.GetCoordinate(2)[point] };
+  }
+
   Eigen::Vector3d GetPosition(const LineNode& node) const
   {
-    const Eigen::Vector3d from = this->Surface.GetMesh().GetPoint(node.From).cast<double>();
-    const Eigen::Vector3d to = this->Surface.GetMesh().GetPoint(node.To).cast<double>();
+    const Eigen::Vector3d from = this->GetPoint(node.From).cast<double>();
+    const Eigen::Vector3d to = this->GetPoint(node.To).cast<double>();
     return from + double(node.T) * (to - from);
   }
 

@@ -66,20 +66,17 @@ double FitExponent(const std::vector<double>& x, const std::vector<double>& y)
 
 void PrintScaling(int runs)
 {
-  std::printf("\ncontours, milliseconds of processor time a view, one thread\n%-34s",
-    "triangles of the torus");
+  std::printf("\ncontours, milliseconds a view\n%-34s", "triangles of the torus");
   const std::vector<int> sizes = { 10000, 50000, 200000, 1000000, 5000000 };
   for (const int size : sizes)
   {
     std::printf(" %9d", size);
   }
   std::printf(" %9s\n", "exponent");
-  UseThreads(1);
   for (const double bumps : { 0.0, 0.15 })
   {
-    std::printf("%-34s", bumps > 0.0 ? "bumpy" : "smooth");
     std::vector<double> triangles;
-    std::vector<double> seconds;
+    std::array<std::vector<double>, 2> seconds; // with one thread, with two
     for (const int size : sizes)
     {
       const Surface surface = AddNormals(MakeTorus(size, bumps));
@@ -87,18 +84,31 @@ void PrintScaling(int runs)
       const auto filter = MakeLineFilter(surface, { "contours" });
       filter->SetCamera(views[0]);
       filter->Update();
-      const Cost cost = MeasureMean(static_cast<int>(views.size()), runs,
-        [&](int view)
-        {
-          filter->SetCamera(views[view]);
-          filter->Update();
-        });
       triangles.push_back(static_cast<double>(surface->GetNumberOfPolys()));
-      seconds.push_back(cost.Processor);
-      std::printf(" %9.2f", 1e3 * cost.Processor);
+      for (const int threads : { 1, 2 })
+      {
+        UseThreads(threads);
+        const Cost cost = MeasureMean(static_cast<int>(views.size()), runs,
+          [&](int view)
+          {
+            filter->SetCamera(views[view]);
+            filter->Update();
+          });
+        seconds[threads - 1].push_back(threads == 1 ? cost.Processor : cost.Wall);
+      }
+    }
+    for (const int threads : { 1, 2 })
+    {
+      const std::string title = std::string(bumps > 0.0 ? "bumpy" : "smooth") +
+        (threads == 1 ? ", one thread, processor" : ", two threads, wall");
+      std::printf("%-34s", title.c_str());
+      for (const double time : seconds[threads - 1])
+      {
+        std::printf(" %9.2f", 1e3 * time);
+      }
+      std::printf(" %9.2f\n", FitExponent(triangles, seconds[threads - 1]));
       std::fflush(stdout);
     }
-    std::printf(" %9.2f\n", FitExponent(triangles, seconds));
   }
 }
 
