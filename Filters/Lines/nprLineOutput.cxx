@@ -148,6 +148,14 @@ bool LineOutput::IsWanted(
 }
 
 //------------------------------------------------------------------------------
+const std::vector<std::string>& LineOutput::GetOwnArrays()
+{
+  static const std::vector<std::string> arrays{ names::Normals, names::Strength, names::ArcLength,
+    names::ViewDistance, names::SourceCell, names::SourceEdge };
+  return arrays;
+}
+
+//------------------------------------------------------------------------------
 void LineOutput::Begin(const Eigen::Vector3d& origin, const Options& options)
 {
   // With a minimum length, another view may choose others.
@@ -329,6 +337,35 @@ void LineOutput::WriteDistances()
         }
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void LineOutput::WriteQuantities(const LineSurface& surface, const LineView& view,
+  const std::vector<LineQuantity>& quantities, vtkPolyData* output)
+{
+  auto& arrays = this->Written.Quantities;
+  arrays.resize(quantities.size());
+  for (std::size_t q = 0; q < quantities.size(); ++q)
+  {
+    const int components = quantities[q].GetNumberOfComponents(surface);
+    if (arrays[q] &&
+      (arrays[q]->GetName() != quantities[q].GetName() ||
+        arrays[q]->GetNumberOfComponents() != components))
+    {
+      arrays[q] = nullptr;
+    }
+    Prepare(arrays[q], quantities[q].GetName().c_str(), components, this->NumberOfPoints);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Lines.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Line& line = this->Lines[i];
+          quantities[q].Write(surface, view, *line.Chains, line.Chain, line.FirstPoint, arrays[q]);
+        }
+      });
+    output->GetPointData()->AddArray(arrays[q]);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define nprLineOutput_h
 
 #include "nprLineChains.h"
+#include "nprLineQuantities.h"
 #include "nprLineView.h"
 #include "nprVTKCompat.h"
 #include "vtkNPRFiltersLinesModule.h"
@@ -83,6 +84,9 @@ public:
     const LineRuler* Ruler = nullptr; ///< null where there is no camera
   };
 
+  /// The point arrays that all lines may have.
+  static const std::vector<std::string>& GetOwnArrays();
+
   /// Begins an output. The origin is what the chains' positions are relative to.
   void Begin(const Eigen::Vector3d& origin, const Options& options);
   /// Which chains of a definition are wanted. For several definitions at once, if need be.
@@ -97,6 +101,9 @@ public:
   bool AddLast(const LineChains& chains, int type);
   /// Points, lines, and their arrays.
   void Write(vtkPolyData* output);
+  /// Point arrays of what the lines carry of the surface. After Write().
+  void WriteQuantities(const LineSurface& surface, const LineView& view,
+    const std::vector<LineQuantity>& quantities, vtkPolyData* output);
 
 private:
   struct Line
@@ -117,6 +124,7 @@ private:
     vtkSmartPointer<vtkFloatArray> Strengths;
     vtkSmartPointer<vtkFloatArray> ArcLengths;
     vtkSmartPointer<vtkFloatArray> Distances;
+    std::vector<vtkSmartPointer<vtkFloatArray>> Quantities;
     vtkSmartPointer<vtkIdTypeArray> SourceCells;
     vtkSmartPointer<vtkIdTypeArray> SourceEdges;
     vtkSmartPointer<vtkIntArray> Types;

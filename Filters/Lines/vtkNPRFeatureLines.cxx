@@ -4,14 +4,13 @@
 
 #include "nprArrayNames.h"
 #include "nprGhostLevels.h"
+#include "nprLengthScale.h"
 #include "nprLineView.h"
 #include "nprProgress.h"
-#include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLinesInternals.h"
 #include "vtkNPRLineDefinition.h"
 
 #include <vtkCamera.h>
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
@@ -46,22 +45,6 @@ Eigen::Matrix4d GetModelToWorld(vtkMatrix4x4* matrix)
     result = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix->GetData());
   }
   return result;
-}
-
-// The names of the arrays of numbers, for a message.
-std::string DescribeArrays(vtkDataSetAttributes* attributes, const std::string& kind)
-{
-  std::string names;
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = attributes->GetArray(i);
-    if (array && array->GetName())
-    {
-      names += (names.empty() ? "" : ", ") + std::string(array->GetName());
-    }
-  }
-  return names.empty() ? "it has no " + kind + " arrays of numbers."
-                       : "its " + kind + " arrays are: " + names + ".";
 }
 }
 
@@ -140,6 +123,49 @@ vtkNPRLineDefinition* vtkNPRFeatureLines::GetDefinition(int index) const
 }
 
 //------------------------------------------------------------------------------
+void vtkNPRFeatureLines::AddQuantity(const char* name)
+{
+  if (!name || !*name)
+  {
+    vtkErrorMacro("AddQuantity was given no name.");
+    return;
+  }
+  const auto& own = npr::LineOutput::GetOwnArrays();
+  if (std::find(own.begin(), own.end(), std::string(name)) != own.end())
+  {
+    vtkErrorMacro("Lines have an array \"" << name << "\" of their own; they can not carry "
+                                           << "another one of that name.");
+    return;
+  }
+  this->Internal->Quantities.emplace_back(name);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRFeatureLines::RemoveAllQuantities()
+{
+  if (!this->Internal->Quantities.empty())
+  {
+    this->Internal->Quantities.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkNPRFeatureLines::GetNumberOfQuantities() const
+{
+  return static_cast<int>(this->Internal->Quantities.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkNPRFeatureLines::GetQuantity(int index) const
+{
+  return index < 0 || index >= this->GetNumberOfQuantities()
+    ? nullptr
+    : this->Internal->Quantities[index].GetName().c_str();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkNPRFeatureLines::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -156,105 +182,6 @@ vtkMTimeType vtkNPRFeatureLines::GetMTime()
     time = std::max(time, entry.Definition->GetMTime());
   }
   return time;
-}
-
-//------------------------------------------------------------------------------
-// All that no view changes. False, after an error, when an array is missing.
-bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
-{
-  Internals& internal = *this->Internal;
-  const Internals::StageTimer timer(internal, PREPARE);
-  const bool isNew = !internal.Surface || internal.Input != input ||
-    internal.InputMTime != input->GetMTime() || internal.LengthScale != this->LengthScale;
-  if (isNew)
-  {
-    internal.SetSurface(input, this->LengthScale);
-  }
-  npr::LineSurface& surface = *internal.Surface;
-  for (Internals::Entry& entry : internal.Entries)
-  {
-    const vtkNPRLineDefinition& definition = *entry.Definition;
-    entry.Definition->BindInput(input);
-    for (const auto& required : definition.GetRequiredArrays())
-    {
-      if (surface.LoadArray(input, required.Name, required.Components))
-      {
-        continue;
-      }
-      if (!required.Maker)
-      {
-        vtkErrorMacro("The lines \"" << definition.GetName() << "\" need a point array, but the "
-                                     << "input has none named \"" << required.Name << "\"; "
-                                     << DescribeArrays(input->GetPointData(), "point"));
-      }
-      else
-      {
-        vtkErrorMacro("The lines \"" << definition.GetName() << "\" need the point array \""
-                                     << required.Name << "\" with " << required.Components
-                                     << " component(s), which the input does not have. Put "
-                                     << required.Maker
-                                     << " before this filter, or let it do so itself by "
-                                        "ComputeMissingArraysOn.");
-      }
-      internal.Surface.reset();
-      return false;
-    }
-    const char* const regions = definition.GetRequiredCellArray();
-    if (regions && !surface.LoadRegions(input, regions))
-    {
-      vtkErrorMacro("The lines \"" << definition.GetName() << "\" need the cell array \"" << regions
-                                   << "\", which the input does not have. Name another one; "
-                                   << DescribeArrays(input->GetCellData(), "cell"));
-      internal.Surface.reset();
-      return false;
-    }
-  }
-  for (const Internals::Entry& entry : internal.Entries)
-  {
-    for (const auto& array : entry.Definition->GetSlopeArrays())
-    {
-      if (this->Interpolation == HERMITE)
-      {
-        surface.LoadArray(input, array.Name, array.Components);
-      }
-    }
-  }
-  // Normals of lines are welcome, but creases and boundaries do without.
-  surface.LoadArray(input, npr::names::Normals, 3);
-  internal.SetClusters(isNew);
-
-  const npr::LineOptions options = this->GetOptions();
-  const bool isStaticNew = options.UseSlopes != internal.Options.UseSlopes ||
-    this->OutputSources != internal.OutputSources;
-  internal.Options = options;
-  internal.OutputSources = this->OutputSources;
-  for (Internals::Entry& entry : internal.Entries)
-  {
-    if (entry.Extractor && entry.MTime == entry.Definition->GetMTime() && !isStaticNew)
-    {
-      continue;
-    }
-    const std::string error = entry.Definition->FindError(surface);
-    if (!error.empty())
-    {
-      vtkErrorMacro("The lines \"" << entry.Definition->GetName() << "\": " << error << ".");
-      internal.Surface.reset();
-      return false;
-    }
-    if (entry.Definition->GetEdges() == vtkNPRLineDefinition::AllEdges)
-    {
-      surface.BuildInnerEdges();
-    }
-    if (entry.Definition->IsMaximum())
-    {
-      surface.BuildNeighbours();
-    }
-    entry.Extractor =
-      std::make_unique<npr::LineExtractor>(surface, *internal.Clusters, *entry.Definition);
-    entry.MTime = entry.Definition->GetMTime();
-    entry.IsExtracted = false;
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -299,41 +226,6 @@ int vtkNPRFeatureLines::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-// The input, or if wanted what the curvature filter makes of it where arrays are missing.
-vtkPolyData* vtkNPRFeatureLines::GetSurface(vtkPolyData* input)
-{
-  Internals& internal = *this->Internal;
-  if (!this->ComputeMissingArrays)
-  {
-    return input;
-  }
-  const bool isMissing = std::any_of(internal.Entries.begin(), internal.Entries.end(),
-    [input](const Internals::Entry& entry)
-    {
-      const auto required = entry.Definition->GetRequiredArrays();
-      return std::any_of(required.begin(), required.end(),
-        [input](const auto& array) { return !input->GetPointData()->HasArray(array.Name); });
-    });
-  if (!isMissing)
-  {
-    return input;
-  }
-  if (!internal.Curvature || internal.CurvatureInput != input ||
-    internal.CurvatureInputMTime != input->GetMTime())
-  {
-    vtkNew<vtkNPRCurvatureTensor> curvature;
-    vtkNew<vtkPolyData> surface;
-    surface->ShallowCopy(input);
-    curvature->SetInputData(surface);
-    curvature->Update();
-    internal.Curvature = curvature->GetOutput();
-    internal.CurvatureInput = input;
-    internal.CurvatureInputMTime = input->GetMTime();
-  }
-  return internal.Curvature;
-}
-
-//------------------------------------------------------------------------------
 int vtkNPRFeatureLines::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -354,11 +246,15 @@ int vtkNPRFeatureLines::RequestData(
     lineNames->InsertNextValue(entry.Definition->GetName());
     needsCamera = needsCamera || entry.Definition->IsViewDependent();
   }
+  for (const npr::LineQuantity& quantity : internal.Quantities)
+  {
+    needsCamera = needsCamera || quantity.IsViewDependent();
+  }
   output->GetFieldData()->AddArray(lineNames);
   if (needsCamera && !this->Camera)
   {
-    vtkErrorMacro(
-      "Lines that depend on the view, and MinimumLength, need a camera: call SetCamera.");
+    vtkErrorMacro("Lines and quantities that depend on the view, and MinimumLength, need a camera: "
+                  "call SetCamera.");
     return 0;
   }
   if (input->GetNumberOfPoints() == 0 || input->GetNumberOfPolys() == 0)
@@ -419,6 +315,8 @@ int vtkNPRFeatureLines::RequestData(
   }
   const Internals::StageTimer timer(internal, WRITE);
   lines.Write(output);
+  lines.WriteQuantities(*internal.Surface, view, internal.Quantities, output);
+  npr::SetLengthScale(output, internal.Surface->GetLengthScale());
   return 1;
 }
 
@@ -442,4 +340,10 @@ void vtkNPRFeatureLines::PrintSelf(ostream& os, vtkIndent indent)
   {
     entry.Definition->PrintSelf(os, indent.GetNextIndent());
   }
+  os << indent << "Quantities:";
+  for (const npr::LineQuantity& quantity : this->Internal->Quantities)
+  {
+    os << " " << quantity.GetName();
+  }
+  os << "\n";
 }

@@ -24,7 +24,9 @@
  * to view where that can be seen); point arrays Strength (in [0, 1]), Normals (the surface's),
  * ArcLength (from the start of the line, in units of the input), with a camera ViewDistance (from
  * the eye, in units of the world), and if wanted SourceCell (the cell of the input that the point
- * is in) and SourceEdge (the points of the input at the ends of the edge that it is on).
+ * is in) and SourceEdge (the points of the input at the ends of the edge that it is on), and the
+ * quantities that are asked for. Field data LengthScale tells the length that curvatures have been
+ * multiplied by.
  *
  * @par Props with a matrix
  * The eye is brought into the space of the model by the inverse of the matrix. A point is on a
@@ -83,6 +85,23 @@ public:
   int GetNumberOfDefinitions() const;
   /// Null when the index is out of range.
   vtkNPRLineDefinition* GetDefinition(int index) const;
+  ///@}
+
+  /// @name Quantities
+  /// What points of lines carry of the surface, linear in each triangle: point arrays of the output
+  /// with the same names.
+  ///@{
+  /// A quantity of the surface and the view, as expressions have them: ndotv, sintheta, kr, dwkr,
+  /// k1, k2, K, H, P, Q, S, T, e1, e2, n, v, w, p (see vtkNPRExpressionLines; curvatures times the
+  /// length scale, which the output's field data LengthScale tells); or else a point array of the
+  /// input. What the input lacks is an error, or computed as for definitions. A name that lines
+  /// have for something of their own (such as Strength) is an error. What depends on the view needs
+  /// a camera.
+  void AddQuantity(const char* name);
+  void RemoveAllQuantities();
+  int GetNumberOfQuantities() const;
+  /// Null when the index is out of range.
+  const char* GetQuantity(int index) const;
   ///@}
 
   ///@{

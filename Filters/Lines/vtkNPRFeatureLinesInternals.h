@@ -38,6 +38,7 @@ public:
     bool IsWritten = false;   // whether the last output had these chains
   };
   std::vector<Entry> Entries;
+  std::vector<npr::LineQuantity> Quantities;
 
   std::unique_ptr<npr::LineSurface> Surface;
   std::unique_ptr<npr::LineClusters> Clusters;
