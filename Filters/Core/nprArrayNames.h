@@ -63,6 +63,10 @@ inline constexpr const char* Opacity = "Opacity";             // points, 1, a fa
 inline constexpr const char* CurveCurvature = "CurveCurvature"; // points, 1, no unit
 /// The cosine of the angle between the surface's normal and the light.
 inline constexpr const char* Shade = "Shade"; // points, 1, in [-1, 1]
+/// How far from a contour the surface is dark, as it is seen.
+inline constexpr const char* IsophoteDistance = "IsophoteDistance"; // points, 1, view heights
+/// The radial curvature, times LengthScale: as expressions have it.
+inline constexpr const char* RadialCurvature = "kr"; // points, 1, no unit
 }
 }
 

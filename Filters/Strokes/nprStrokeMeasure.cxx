@@ -86,6 +86,16 @@ double StrokeMeasure::GetCosine(
 }
 
 //------------------------------------------------------------------------------
+Eigen::Vector3d StrokeMeasure::GetDirectionToEye(const Vector3& point) const
+{
+  if (this->Parallel)
+  {
+    return Eigen::Vector3d::UnitZ();
+  }
+  return -(this->ToView * AsVector(point) + this->Offset).stableNormalized();
+}
+
+//------------------------------------------------------------------------------
 Vector3 StrokeMeasure::Move(const Vector3& point, const Eigen::Vector3d& by) const
 {
   Eigen::Vector3d moved = AsVector(point);

@@ -43,6 +43,9 @@ public:
   /// viewer's axes (right, up, towards him), else in the model's. 0 for a normal without length.
   double GetCosine(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) const;
 
+  /// The direction to the eye in the viewer's axes. On a page.
+  Eigen::Vector3d GetDirectionToEye(const Vector3& point) const;
+
   /// The point whose place is so much farther; on the page at the same depth.
   Vector3 Move(const Vector3& point, const Eigen::Vector3d& by) const;
 

@@ -3,6 +3,7 @@
 #include "vtkNPRStrokeAttributes.h"
 
 #include "nprArrayNames.h"
+#include "nprIsophoteDistance.h"
 #include "nprLatticeNoise.h"
 #include "nprLengthScale.h"
 #include "nprProgress.h"
@@ -77,6 +78,42 @@ void AddShade(vtkPolyData* output, const npr::StrokeMeasure& measure, const doub
   Average(strokes, shade);
   output->GetPointData()->AddArray(shade);
 }
+
+/// Nothing where there are no normals, no radial curvature, or no length that it is relative to.
+void AddIsophoteDistance(vtkPolyData* output, const npr::StrokeMeasure& measure,
+  const double light[3], double level, const std::vector<npr::ShapedStrokes>& strokes)
+{
+  vtkDataArray* normals = output->GetPointData()->GetArray(npr::names::Normals);
+  vtkDataArray* curvatures = output->GetPointData()->GetArray(npr::names::RadialCurvature);
+  const double scale = npr::GetLengthScale(output);
+  if (!normals || normals->GetNumberOfComponents() != 3 || !curvatures || !(scale > 0.0))
+  {
+    return;
+  }
+  const Eigen::Vector3d direction = Eigen::Vector3d(light).stableNormalized();
+  vtkNew<vtkFloatArray> distances;
+  distances->SetName(npr::names::IsophoteDistance);
+  distances->SetNumberOfValues(output->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < distances->GetNumberOfValues(); ++i)
+  {
+    Eigen::Vector3d normal;
+    normals->GetTuple(i, normal.data());
+    npr::Vector3 point;
+    output->GetPoint(i, point.data());
+    const double distance = npr::GetIsophoteDistance(curvatures->GetComponent(i, 0) / scale,
+      measure.GetCosine(normal, direction), measure.GetDirectionToEye(point).dot(direction), level,
+      scale);
+    npr::Vector3 end;
+    for (int c = 0; c < 3; ++c)
+    {
+      end[c] = point[c] - distance * normal[c];
+    }
+    const double seen = (measure.GetPlace(end) - measure.GetPlace(point)).norm();
+    distances->SetValue(i, std::isfinite(seen) ? static_cast<float>(seen) : 0.0f);
+  }
+  Average(strokes, distances);
+  output->GetPointData()->AddArray(distances);
+}
 }
 
 vtkStandardNewMacro(vtkNPRStrokeAttributes);
@@ -146,6 +183,12 @@ int vtkNPRStrokeAttributes::RequestData(
   {
     vtkErrorMacro("lengths are in heights of the view, but there is no camera; call SetCamera(), "
                   "or SetLengthUnit() with another unit");
+    return 0;
+  }
+  if (this->LengthUnit != VIEW && this->Uses(npr::names::IsophoteDistance))
+  {
+    vtkErrorMacro("the distance to an isophote is one on the page; call SetLengthUnitToView() and "
+                  "SetCamera()");
     return 0;
   }
   const npr::StrokeMeasure measure = this->LengthUnit == VIEW
@@ -245,6 +288,10 @@ int vtkNPRStrokeAttributes::RequestData(
   {
     AddShade(output, measure, this->LightDirection, strokes);
   }
+  if (this->Uses(npr::names::IsophoteDistance))
+  {
+    AddIsophoteDistance(output, measure, this->LightDirection, this->IsophoteLevel, strokes);
+  }
   for (const Term& term : this->Terms)
   {
     if (output->GetNumberOfPoints() > 0 &&
@@ -277,6 +324,7 @@ void vtkNPRStrokeAttributes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "LightDirection: " << this->LightDirection[0] << " " << this->LightDirection[1]
      << " " << this->LightDirection[2] << "\n";
+  os << indent << "IsophoteLevel: " << this->IsophoteLevel << "\n";
   os << indent << "TaperLength: " << this->TaperLength << "\n";
   os << indent << "TaperedWidth: " << this->TaperedWidth << "\n";
   os << indent << "TaperedOpacity: " << this->TaperedOpacity << "\n";

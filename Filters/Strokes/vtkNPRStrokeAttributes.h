@@ -23,7 +23,12 @@
  *   diagonal of the bounds), and so has no dimension;
  * - `Shade`, which this filter makes from the array `Normals` and LightDirection when a term asks
  *   for it: the cosine of the angle between both, averaged in the same way, so that strokes are
- * thicker away from the light.
+ *   thicker away from the light;
+ * - `IsophoteDistance` (heights of the view; needs the unit VIEW), which this filter makes from the
+ *   arrays `Normals` and `kr` (the radial curvature; see vtkNPRFeatureLines::AddQuantity()) when a
+ *   term asks for it: how far from a contour the surface is darker than IsophoteLevel, averaged in
+ *   the same way, so that strokes are as thick as the shade that they stand for (Goodwin et al.).
+ *   A ramp from 0 to that many heights keeps it within bounds.
  *
  * Lengths (of tapers, overshoots, waves) are in the unit of LengthUnit: shares of each stroke's own
  * length, units of the model, or heights of the view, for which the filter needs a camera. Then
@@ -45,9 +50,8 @@
  * @par Thanks:
  * Width by the bends of the curve and by the distance from its ends: S. Saito, A. Kani, Y. Chang,
  * M. Nakajima: Curvature-based stroke rendering, The Visual Computer 24, 2008. Width by the light:
- * after T. Goodwin, I. Vollick, A. Hertzmann: Isophote Distance: A Shading Approach to Artistic
- * Stroke Thickness, 2007, but by the shade on the line itself, for lines do not carry the radial
- * curvature that the distance to an isophote takes.
+ * T. Goodwin, I. Vollick, A. Hertzmann: Isophote Distance: A Shading Approach to Artistic Stroke
+ * Thickness, NPAR 2007.
  *
  * @sa vtkNPRSplineStrokes vtkNPRStrokeMapper
  */
@@ -156,8 +160,8 @@ public:
 
   ///@{
   /**
-   * From how far along the stroke to both sides `CurveCurvature` and `Shade` are taken, in the unit
-   * of LengthUnit: what is smaller is no bend and no shade. Default: 0.02.
+   * From how far along the stroke to both sides `CurveCurvature`, `Shade` and `IsophoteDistance`
+   * are taken, in the unit of LengthUnit: what is smaller is no bend and no shade. Default: 0.02.
    */
   vtkSetClampMacro(Reach, double, 1e-6, VTK_FLOAT_MAX);
   vtkGetMacro(Reach, double);
@@ -165,11 +169,20 @@ public:
 
   ///@{
   /**
-   * Towards the light, for `Shade`; in the model, or with the unit VIEW as the viewer sees it: to
-   * his right, upwards, towards him. Not zero. Default: (-0.5, 0.7, 0.5).
+   * Towards the light, for `Shade` and `IsophoteDistance`; in the model, or with the unit VIEW as
+   * the viewer sees it: to his right, upwards, towards him. Not zero. Default: (-0.5, 0.7, 0.5).
    */
   vtkSetVector3Macro(LightDirection, double);
   vtkGetVector3Macro(LightDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * For `IsophoteDistance`: the cosine of the angle between normal and light up to which a surface
+   * is dark, [-1, 1]. Default: -0.5.
+   */
+  vtkSetClampMacro(IsophoteLevel, double, -1.0, 1.0);
+  vtkGetMacro(IsophoteLevel, double);
   ///@}
 
   ///@{
@@ -238,6 +251,7 @@ protected:
   int LengthUnit = STROKE;
   double Reach = 0.02;
   double LightDirection[3] = { -0.5, 0.7, 0.5 };
+  double IsophoteLevel = -0.5;
   double TaperLength = 0.0;
   double TaperedWidth = 0.0;
   double TaperedOpacity = 1.0;

@@ -125,10 +125,14 @@ bool vtkNPRStrokeAttributes::MultiplyTerm(const Term& term, vtkPolyData* output,
       const char* name = output->GetPointData()->GetArrayName(i);
       names += name ? (names.empty() ? "" : ", ") + std::string(name) : "";
     }
-    const bool isMade = term.Array == npr::names::Shade;
+    const std::string wanted = term.Array == npr::names::Shade ? npr::names::Normals
+      : term.Array == npr::names::IsophoteDistance
+      ? std::string(npr::names::Normals) + "' and '" + npr::names::RadialCurvature +
+        "' (vtkNPRFeatureLines::AddQuantity()), with the field data '" + npr::names::LengthScale
+      : term.Array;
     vtkErrorMacro("the strokes have no point array '"
-      << (isMade ? npr::names::Normals : term.Array.c_str()) << "' to take their "
-      << (term.Attribute == WIDTH ? "width" : "opacity") << " from; they have: " << names << ".");
+      << wanted << "' to take their " << (term.Attribute == WIDTH ? "width" : "opacity")
+      << " from; they have: " << names << ".");
     return false;
   }
   double range[2] = { term.From, term.To };
