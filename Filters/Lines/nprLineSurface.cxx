@@ -300,6 +300,21 @@ bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int componen
 }
 
 //------------------------------------------------------------------------------
+void LineSurface::SetArray(const std::string& name, std::vector<std::vector<float>> components)
+{
+  const auto found = std::find_if(this->Arrays.begin(), this->Arrays.end(),
+    [&name](const Array& array) { return array.Name == name; });
+  if (found != this->Arrays.end())
+  {
+    found->Components = std::move(components);
+  }
+  else
+  {
+    this->Arrays.push_back({ name, std::move(components) });
+  }
+}
+
+//------------------------------------------------------------------------------
 bool LineSurface::LoadRegions(vtkPolyData* surface, const std::string& name)
 {
   if (this->Regions.count(name) > 0)

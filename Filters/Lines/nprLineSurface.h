@@ -88,6 +88,8 @@ public:
   /// Takes an array of the surface's point data with so many components, 0 for any. False when it
   /// has none.
   bool LoadArray(vtkPolyData* surface, const char* name, int components);
+  /// Adds or replaces an array, made from others: a span over all points for each component.
+  void SetArray(const std::string& name, std::vector<std::vector<float>> components);
   bool HasArray(const char* name) const { return this->FindArray(name) != nullptr; }
   /// Of an array that was loaded.
   int GetNumberOfComponents(const char* name) const

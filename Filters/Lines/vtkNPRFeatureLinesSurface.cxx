@@ -144,6 +144,7 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
       internal.Surface.reset();
       return false;
     }
+    entry.Definition->PrepareSurface(surface);
     if (entry.Definition->GetEdges() == vtkNPRLineDefinition::AllEdges)
     {
       surface.BuildInnerEdges();

@@ -3,6 +3,8 @@
 #include "vtkNPRIsophotes.h"
 
 #include "nprArrayNames.h"
+#include "nprSmoothShape.h"
+#include "nprSurfaceDiffusion.h"
 
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
@@ -11,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -74,6 +77,9 @@ vtkNPRIsophotes::vtkNPRIsophotes()
   this->AddParameter("direction",
     "to a light that stays with the model, in its coordinates; 0 0 0 for one beside the viewer",
     this->Direction, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
+  this->AddParameter("smoothing",
+    "standard deviation of a smoothing of the surface, over the length scale", this->Smoothing, 0.0,
+    1.0);
   this->AddParameter("threshold", "least curvature towards the light, times length scale",
     this->Threshold, 0.0, 1.0e6);
   this->AddParameter("fade", "how far above the threshold lines have their full strength",
@@ -93,11 +99,59 @@ bool vtkNPRIsophotes::IsViewDependent() const
 std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRIsophotes::GetRequiredArrays() const
 {
   std::vector<RequiredArray> required = { { npr::names::Normals, 3, "vtkNPRSurfaceNormals" } };
-  if (this->HasTest())
+  if (this->HasTest() || this->Smoothing > 0.0)
   {
     required.push_back({ npr::names::CurvatureTensor, 6, "vtkNPRCurvatureTensor" });
   }
   return required;
+}
+
+//------------------------------------------------------------------------------
+double vtkNPRIsophotes::GetReach() const
+{
+  return this->Smoothing > 0.0 ? npr::DiffusionReach : this->Superclass::GetReach();
+}
+
+//------------------------------------------------------------------------------
+// With their own names, for there may be several definitions that smooth.
+std::string vtkNPRIsophotes::GetNormals() const
+{
+  return this->Smoothing > 0.0 ? npr::names::Normals + (" over " + std::to_string(this->Smoothing))
+                               : npr::names::Normals;
+}
+
+std::string vtkNPRIsophotes::GetTensor() const
+{
+  return this->Smoothing > 0.0
+    ? npr::names::CurvatureTensor + (" over " + std::to_string(this->Smoothing))
+    : npr::names::CurvatureTensor;
+}
+
+//------------------------------------------------------------------------------
+void vtkNPRIsophotes::PrepareSurface(npr::LineSurface& surface)
+{
+  if (!(this->Smoothing > 0.0))
+  {
+    return;
+  }
+  const npr::SmoothShape shape(surface, this->Smoothing, true);
+  const auto perScale = static_cast<float>(1.0 / surface.GetLengthScale());
+  std::vector<std::vector<float>> normals(3, std::vector<float>(shape.Normals.size()));
+  std::vector<std::vector<float>> tensor(6, std::vector<float>(shape.Tensors.size()));
+  for (std::size_t i = 0; i < shape.Normals.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      normals[c][i] = shape.Normals[i][c];
+    }
+    for (int c = 0; c < 6; ++c)
+    {
+      tensor[c][i] = shape.IsNumber[i] ? perScale * shape.Tensors[i][c]
+                                       : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  surface.SetArray(this->GetNormals(), std::move(normals));
+  surface.SetArray(this->GetTensor(), std::move(tensor));
 }
 
 //------------------------------------------------------------------------------
@@ -123,9 +177,10 @@ void vtkNPRIsophotes::EvaluateField(const npr::LineSurface& surface, const npr::
   vtkIdType begin, vtkIdType end, float* field) const
 {
   const Light light(*this, view, surface);
-  const float* x = surface.GetComponent(npr::names::Normals, 0);
-  const float* y = surface.GetComponent(npr::names::Normals, 1);
-  const float* z = surface.GetComponent(npr::names::Normals, 2);
+  const std::string normals = this->GetNormals();
+  const float* x = surface.GetComponent(normals.c_str(), 0);
+  const float* y = surface.GetComponent(normals.c_str(), 1);
+  const float* z = surface.GetComponent(normals.c_str(), 2);
   for (vtkIdType i = begin; i < end; ++i)
   {
     field[i] = light(i).dot(Eigen::Vector3f(x[i], y[i], z[i]));
@@ -139,14 +194,16 @@ void vtkNPRIsophotes::EvaluateTest(const npr::LineSurface& surface, const npr::L
   const Light light(*this, view, surface);
   const Light eye(view, surface);
   const bool isSeen = this->IsViewDependent();
+  const std::string normalsName = this->GetNormals();
+  const std::string tensorName = this->GetTensor();
   std::array<const float*, 3> normals;
   std::array<const float*, 6> tensor;
   for (int c = 0; c < 6; ++c)
   {
-    tensor[c] = surface.GetComponent(npr::names::CurvatureTensor, c);
+    tensor[c] = surface.GetComponent(tensorName.c_str(), c);
     if (c < 3)
     {
-      normals[c] = surface.GetComponent(npr::names::Normals, c);
+      normals[c] = surface.GetComponent(normalsName.c_str(), c);
     }
   }
   const double scale = surface.GetLengthScale();

@@ -25,6 +25,8 @@
 
 #include "vtkNPRLineDefinition.h"
 
+#include <string>
+
 class VTKNPRFILTERSLINES_EXPORT vtkNPRIsophotes : public vtkNPRLineDefinition
 {
 public:
@@ -71,9 +73,17 @@ public:
   ///@}
 
   ///@{
-  /// The least curvature towards the light, times the length scale (no unit). With this and the
-  /// distance at 0 lines run everywhere, and no curvature is needed. Range [0, 1e6]. Default is
-  /// 0.1.
+  /// The standard deviation of a smoothing of normals and curvature along the surface, over the
+  /// length scale (no unit): lines show the form, and do not fray on the grain of a scan. Range
+  /// [0, 1]. Default is 0.03.
+  vtkSetClampMacro(Smoothing, double, 0.0, 1.0);
+  vtkGetMacro(Smoothing, double);
+  ///@}
+
+  ///@{
+  /// The least curvature towards the light, times the length scale (no unit). With this, the
+  /// distance and the smoothing at 0 lines run everywhere, and no curvature is needed. Range [0,
+  /// 1e6]. Default is 0.1.
   vtkSetClampMacro(Threshold, double, 0.0, 1.0e6);
   vtkGetMacro(Threshold, double);
   ///@}
@@ -100,6 +110,8 @@ public:
   {
     return true;
   }
+  double GetReach() const override;
+  void PrepareSurface(npr::LineSurface& surface) override;
   std::vector<float> GetLevels(const npr::LineSurface& surface) const override;
   void EvaluateField(const npr::LineSurface& surface, const npr::LineView& view, vtkIdType begin,
     vtkIdType end, float* field) const override;
@@ -118,11 +130,15 @@ protected:
 private:
   class Light;
   double GetStep() const;
+  // Of the arrays that lines are made from.
+  std::string GetNormals() const;
+  std::string GetTensor() const;
   double Levels = 6.0;
   double Minimum = 0.0;
   double Azimuth = 0.0;
   double Elevation = 0.0;
   double Direction[3] = { 0.0, 0.0, 0.0 };
+  double Smoothing = 0.03;
   double Threshold = 0.1;
   double Fade = 0.2;
   double Distance = 0.006;

@@ -161,6 +161,9 @@ public:
   ///@{
   /// Before anything is asked about the required arrays.
   virtual void BindInput(vtkPolyData*) {}
+  /// Once for a surface that has the required arrays, and again when parameters have changed: adds
+  /// arrays to it that no view changes.
+  virtual void PrepareSurface(npr::LineSurface&) {}
   /// Before the first evaluation in a view, and after the last; views do not matter to a definition
   /// that depends on none.
   virtual void BeginView(const npr::LineSurface&, const npr::LineView&) {}

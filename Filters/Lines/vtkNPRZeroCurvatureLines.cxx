@@ -4,6 +4,7 @@
 
 #include "nprArrayNames.h"
 #include "nprSignRegions.h"
+#include "nprSmoothShape.h"
 #include "nprSurfaceDiffusion.h"
 
 #include <vtkSMPTools.h>
@@ -17,21 +18,6 @@
 namespace
 {
 using Index = npr::TriangleMesh::Index;
-
-template<int Size>
-npr::Tuples<Size> GetTuples(const npr::LineSurface& surface, const char* name)
-{
-  npr::Tuples<Size> tuples(surface.GetMesh().GetNumberOfPoints());
-  for (int c = 0; c < Size; ++c)
-  {
-    const float* component = surface.GetComponent(name, c);
-    for (std::size_t i = 0; i < tuples.size(); ++i)
-    {
-      tuples[i][c] = component[i];
-    }
-  }
-  return tuples;
-}
 
 // Of a function that is linear in each triangle: the length of the mean of its gradients around
 // each point, by their areas.
@@ -105,35 +91,18 @@ void vtkNPRZeroCurvatureLines::BeginView(const npr::LineSurface& surface, const 
   npr::TriangleMesh mesh = surface.GetMesh();
   mesh.BuildIncidence();
   const double scale = surface.GetLengthScale();
-  auto tensors = GetTuples<6>(surface, npr::names::CurvatureTensor);
-  const auto normals = GetTuples<3>(surface, npr::names::Normals);
-  const std::size_t size = tensors.size();
-  // What is not a number is to stay at its point.
-  std::vector<char> isNumber(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    // Without a unit, so that nothing vanishes on huge surfaces.
-    tensors[i] *= static_cast<float>(scale);
-    isNumber[i] = tensors[i].allFinite() && normals[i].allFinite();
-    if (!isNumber[i])
-    {
-      tensors[i].setZero();
-    }
-  }
-  if (this->Smoothing > 0.0)
-  {
-    npr::SurfaceDiffusion(mesh, normals).SmoothTensors(tensors, this->Smoothing * scale);
-  }
+  const npr::SmoothShape shape(surface, this->Smoothing, false);
+  const std::size_t size = shape.Tensors.size();
   this->Field.resize(size);
   std::vector<float> density(size);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const auto& t = tensors[i];
+    const auto& t = shape.Tensors[i];
     const double mean = 0.5 * (double(t[0]) + t[1] + t[2]);
     const double gaussian = double(t[0]) * t[1] + double(t[1]) * t[2] + double(t[2]) * t[0] -
       double(t[3]) * t[3] - double(t[4]) * t[4] - double(t[5]) * t[5];
-    this->Field[i] = isNumber[i] ? static_cast<float>(this->GetCurvature(mean, gaussian))
-                                 : std::numeric_limits<float>::quiet_NaN();
+    this->Field[i] = shape.IsNumber[i] ? static_cast<float>(this->GetCurvature(mean, gaussian))
+                                       : std::numeric_limits<float>::quiet_NaN();
     density[i] = static_cast<float>(this->GetDensity(this->Field[i]));
   }
   this->Gradients = MeasureGradients(mesh, this->Field);

@@ -274,7 +274,8 @@ void PrintLineTimes(vtkPolyData* surface, const Views& views, int runs)
   table.AddPlain("plain: 9 isophotes", plain,
     [&](vtkCamera* camera) { plain.FindIsophotes(getEye(camera), tones); });
   table.Add("isophotes", { "isophotes" }, false,
-    { { "levels", { 9.0 } }, { "threshold", { 0.0 } }, { "distance", { 0.0 } } });
+    { { "levels", { 9.0 } }, { "threshold", { 0.0 } }, { "distance", { 0.0 } },
+      { "smoothing", { 0.0 } } });
   table.AddPlain("plain: 20 topographic levels", plain,
     [&](vtkCamera*) { plain.FindTopographicLines(PlainMesh::Vector::UnitY(), heights); });
   table.Add("topographic: found anew", { "topographic" }, true,

@@ -61,6 +61,7 @@ void TestModelLight(Checks& check)
   isophotes->SetMinimum(0.8);
   isophotes->SetThreshold(0.0);
   isophotes->SetDistance(0.0);
+  isophotes->SetSmoothing(0.0);
   isophotes->SetDirection(0.3, 0.0, 1.0);
   const Vector3d unit = Vector3d(0.3, 0.0, 1.0).normalized();
   CheckConvergence(
@@ -106,6 +107,7 @@ void TestEyeLight(Checks& check)
   isophotes->SetMinimum(0.8);
   isophotes->SetThreshold(0.0);
   isophotes->SetDistance(0.0);
+  isophotes->SetSmoothing(0.0);
   const auto field = [](const Truth& t)
   { return t.Normal.dot((Vector3d(0.0, 0.0, ViewerDistance) - t.Point).normalized()) - 0.9; };
   CheckConvergence(isophotes, { Bump(1.2), field }, 1, check);
@@ -142,6 +144,74 @@ void TestDistance(Checks& check)
   isophotes->SetDistance(0.1 / 0.75);
   check(ExtractLines(sphere, isophotes).size() == 3, "where lines crowd on the surface, none");
 }
+
+// On the grain of a scan, lines fray; on its form, they do not.
+void TestSmoothing(Checks& check)
+{
+  const auto sphere = MakeExactSphere();
+  vtkDataArray* const normals = sphere->GetPointData()->GetArray(npr::names::Normals);
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    Vector3d n(normals->GetTuple(i));
+    n += 0.04 * Vector3d(std::sin(37.0 * i), std::sin(59.0 * i), std::sin(83.0 * i));
+    normals->SetTuple(i, n.normalized().eval().data());
+  }
+  vtkNew<vtkNPRIsophotes> isophotes;
+  isophotes->SetLevels(4.0);
+  isophotes->SetDistance(0.0);
+  isophotes->SetDirection(0.0, 0.5 * std::sqrt(3.0), 0.5);
+  const Vector3d light(0.0, 0.5 * std::sqrt(3.0), 0.5);
+  const auto getFarthest = [&](const std::vector<Chain>& chains)
+  {
+    double farthest = 0.0;
+    for (const Chain& chain : chains)
+    {
+      for (const Vector3d& p : chain.Points)
+      {
+        const double step = 5.0 * p.dot(light);
+        farthest = std::max(farthest, std::abs(step - std::round(step)));
+      }
+    }
+    return farthest;
+  };
+  isophotes->SetSmoothing(0.0);
+  const auto raw = ExtractLines(sphere, isophotes);
+  check(raw.size() > 8, "grain, without smoothing", double(raw.size()));
+  isophotes->SetSmoothing(0.15);
+  const auto smooth = ExtractLines(sphere, isophotes);
+  check(smooth.size() == 4, "one circle for each level", double(smooth.size()));
+  check(getFarthest(smooth) < 0.1, "in its place", getFarthest(smooth));
+
+  // Two definitions with radii of their own; and a new radius counts at once.
+  vtkNew<vtkNPRIsophotes> rough;
+  rough->SetLevels(4.0);
+  rough->SetDistance(0.0);
+  rough->SetDirection(light.data());
+  rough->SetSmoothing(0.0);
+  vtkNew<vtkNPRFeatureLines> both;
+  both->AddDefinition(rough);
+  both->AddDefinition(isophotes);
+  both->SetInputData(sphere);
+  both->Update();
+  check(both->GetOutput()->GetNumberOfLines() == static_cast<vtkIdType>(raw.size() + 4),
+    "each its own", double(both->GetOutput()->GetNumberOfLines()));
+  rough->SetSmoothing(0.15);
+  both->Update();
+  check(both->GetOutput()->GetNumberOfLines() == 8, "a new radius",
+    double(both->GetOutput()->GetNumberOfLines()));
+
+  // What is not a number stays at its point.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  normals->SetTuple3(4000, nan, nan, nan);
+  sphere->Modified();
+  normals->Modified();
+  vtkIdType points = 0;
+  for (const Chain& chain : ExtractLines(sphere, isophotes))
+  {
+    points += static_cast<vtkIdType>(chain.Points.size());
+  }
+  check(points > 500, "lines all the same", double(points));
+}
 }
 
 int TestIsophotes(int, char*[])
@@ -151,5 +221,6 @@ int TestIsophotes(int, char*[])
   TestViewerLight(check);
   TestEyeLight(check);
   TestDistance(check);
+  TestSmoothing(check);
   return check.GetResult();
 }
