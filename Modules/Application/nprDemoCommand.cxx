@@ -7,6 +7,7 @@
 #include "nprRenderJob.h"
 #include "nprReporter.h"
 #include "nprViewOptions.h"
+#include "nprVisibilityOptions.h"
 #include "vtkNPRDrawingWriter.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRStrokeVisibility.h"
@@ -31,6 +32,7 @@ struct DemoOptions
 {
   std::string Folder = "demo";
   ViewOptions View;
+  VisibilityOptions Visibility;
 };
 
 std::string MakeIndexPage(const std::string& entries)
@@ -81,6 +83,7 @@ void MakeDemo(const DemoOptions& options, Reporter& reporter)
 {
   namespace fs = std::filesystem;
   const std::array<int, 2> size = options.View.GetSize();
+  options.Visibility.Check();
   options.View.Parse(); // refuses what is wrong before a folder is made
   std::error_code error;
   fs::create_directories(options.Folder, error);
@@ -88,6 +91,7 @@ void MakeDemo(const DemoOptions& options, Reporter& reporter)
   CheckWritable((folder / "index.html").string());
 
   RenderJob job(reporter, size);
+  options.Visibility.ApplyTo(job.GetIllustration());
   reporter.BeginStage("sample");
   AddSample(job.GetRenderer());
   options.View.Apply(job.GetRenderer(), {});
@@ -133,6 +137,7 @@ void AddDemoCommand(CLI::App& program, Reporter& reporter)
   command->add_option("FOLDER", options->Folder, "Where to; made if it does not exist")
     ->capture_default_str();
   options->View.AddTo(*command);
+  options->Visibility.AddTo(*command);
   command->callback([options, &reporter]() { MakeDemo(*options, reporter); });
 }
 }

@@ -8,6 +8,7 @@
 #include "nprReporter.h"
 #include "nprStyleOptions.h"
 #include "nprViewOptions.h"
+#include "nprVisibilityOptions.h"
 #include "vtkNPRDrawingWriter.h"
 #include "vtkNPRIllustrationStyle.h"
 
@@ -27,6 +28,7 @@ struct RenderOptions
   ViewOptions View;
   StyleOptions Style;
   DrawingOptions Drawing;
+  VisibilityOptions Visibility;
   std::string Output;
 };
 
@@ -38,12 +40,14 @@ void Render(const RenderOptions& options, Reporter& reporter)
   vtkSmartPointer<vtkNPRDrawingWriter> drawing;
   if (IsDrawingFile(options.Output))
   {
+    options.Visibility.RefuseFor(options.Output);
     drawing = options.Drawing.MakeWriter(options.Output, view.IsParallel, size);
   }
   else
   {
     CheckImageFile(options.Output, { ".svg", ".pdf" });
     options.Drawing.RefuseFor(options.Output);
+    options.Visibility.Check();
   }
   vtkNew<vtkNPRIllustrationStyle> style;
   options.Style.ApplyTo(style, reporter);
@@ -61,6 +65,7 @@ void Render(const RenderOptions& options, Reporter& reporter)
   }
   else
   {
+    options.Visibility.ApplyTo(job.GetIllustration());
     job.Run(style, options.Output, options.Style.IsTransparent());
   }
   reporter.PrintStages();
@@ -80,6 +85,7 @@ void AddRenderCommand(CLI::App& program, Reporter& reporter)
     ->required();
   options->Style.AddTo(*command);
   options->View.AddTo(*command);
+  options->Visibility.AddTo(*command);
   options->Drawing.AddTo(*command);
   command->footer(
     "Examples:\n"

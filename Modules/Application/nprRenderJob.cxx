@@ -124,7 +124,7 @@ vtkSmartPointer<vtkImageData> RenderJob::Draw()
 //------------------------------------------------------------------------------
 void RenderJob::AddIllustrationStages()
 {
-  for (const char* stage : { "prepare", "curvature", "lines" })
+  for (const char* stage : { "prepare", "curvature", "lines", "visibility", "strokes" })
   {
     this->Output.AddStage(stage, this->Illustration->GetStageSeconds(stage));
   }
@@ -135,7 +135,11 @@ void RenderJob::AddStages(double seconds)
 {
   this->AddIllustrationStages();
   // The lines are extracted while the first image is drawn.
-  this->Output.AddStage("draw", seconds - this->Illustration->GetStageSeconds("lines"));
+  for (const char* stage : { "lines", "visibility", "strokes" })
+  {
+    seconds -= this->Illustration->GetStageSeconds(stage);
+  }
+  this->Output.AddStage("draw", seconds);
 }
 
 //------------------------------------------------------------------------------
@@ -179,10 +183,6 @@ void RenderJob::RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* 
   this->Illustration->GetStrokes(strokes);
   this->Output.ThrowOnVTKError(RenderError);
   this->AddIllustrationStages();
-  for (const char* stage : { "visibility", "strokes" })
-  {
-    this->Output.AddStage(stage, this->Illustration->GetStageSeconds(stage));
-  }
 
   this->Output.BeginStage("write");
   vtkNew<vtkNPRDrawingStyle> inks;

@@ -8,6 +8,7 @@
 #include "nprRenderJob.h"
 #include "nprReporter.h"
 #include "nprViewOptions.h"
+#include "nprVisibilityOptions.h"
 #include "vtkNPRIllustration.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRLineDefinition.h"
@@ -42,6 +43,7 @@ struct SheetOptions
 {
   ModelOptions Models;
   ViewOptions View;
+  VisibilityOptions Visibility;
   bool Sample = false;
   std::string Lines;
   std::string Output;
@@ -144,6 +146,7 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
   }
   CheckImageFile(options.Output);
   options.View.Parse();
+  options.Visibility.Check();
   const std::vector<std::string> kinds =
     options.Lines.empty() ? GetUsualKinds(reporter) : SplitList(options.Lines);
   vtkNew<vtkNPRIllustrationStyle> style;
@@ -173,6 +176,7 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
   reporter.EndStage();
   options.View.Apply(job.GetRenderer(), options.Models);
   style->LoadString(MakeStyle(kinds));
+  options.Visibility.ApplyTo(job.GetIllustration());
   job.Apply(style);
   // All lines are extracted here, once.
   const std::vector<int> counts = CountChains(job.GetIllustration(), kinds.size() + 1);
@@ -222,6 +226,7 @@ void AddSheetCommand(CLI::App& program, Reporter& reporter)
     "Which kinds of lines, such as contours,creases (npr lines --list); default: all that need "
     "neither data nor an expression of yours");
   options->View.AddTo(*command);
+  options->Visibility.AddTo(*command);
   command->get_option("--size")->description("Size of each cell in pixels, WxH");
   command->footer("Each kind is drawn in black, over the contours in grey.\n"
                   "Examples:\n"

@@ -4,6 +4,7 @@
 
 #include "nprStyleDocument.h"
 #include "nprStyleObjects.h"
+#include "nprSurfaceSource.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRLineDefinition.h"
 #include "vtkNPROutlineNormals.h"
@@ -11,9 +12,6 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCompositeDataGeometryFilter.h>
-#include <vtkCompositeDataSet.h>
-#include <vtkDataSetSurfaceFilter.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -31,27 +29,6 @@ namespace npr
 {
 namespace
 {
-/// What gives the surface of a mapper's input where that is no vtkPolyData; null where it is one,
-/// or nothing with a surface.
-vtkSmartPointer<vtkAlgorithm> MakeSurfaceSource(vtkMapper* mapper)
-{
-  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
-  vtkSmartPointer<vtkAlgorithm> source;
-  if (vtkCompositeDataSet::SafeDownCast(data))
-  {
-    source = vtkSmartPointer<vtkCompositeDataGeometryFilter>::New();
-  }
-  else if (vtkDataSet::SafeDownCast(data) && !vtkPolyData::SafeDownCast(data))
-  {
-    source = vtkSmartPointer<vtkDataSetSurfaceFilter>::New();
-  }
-  if (source)
-  {
-    source->SetInputConnection(mapper->GetInputConnection(0, 0));
-  }
-  return source;
-}
-
 bool HasOwnColor(vtkMapper* mapper, vtkActor* actor)
 {
   const double* color = actor->GetProperty()->GetDiffuseColor();

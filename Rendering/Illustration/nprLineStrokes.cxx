@@ -24,15 +24,16 @@ constexpr double VisibilityRadius = 2.0; // pixels, of strokes that stay in thei
 //------------------------------------------------------------------------------
 LineStrokes::LineStrokes(const LineStyle& line, int index, const LightStyle& light,
   SurfacePipeline& pipeline, vtkMatrix4x4* matrix)
-  : Style(line), Light(light), IsStraight(pipeline.IsFaceted()),
-    Selection(vtkSmartPointer<vtkNPRLineSelection>::New()),
+  : Style(line), Matrix(matrix), Selection(vtkSmartPointer<vtkNPRLineSelection>::New()),
     Filters(line, light, pipeline.IsFaceted(), matrix),
+    Parts(vtkSmartPointer<vtkNPRLineSelection>::New()),
+    PartFilters(line, light, pipeline.IsFaceted(), nullptr),
     Mapper(vtkSmartPointer<vtkNPRStrokeMapper>::New()), Actor(vtkSmartPointer<vtkActor>::New())
 {
   this->Selection->SetInputConnection(pipeline.GetFeatureLines()->GetOutputPort());
   this->Selection->SetLineIndex(index);
   this->Filters.GetFirst()->SetInputConnection(this->Selection->GetOutputPort());
-  this->Mapper->SetInputConnection(this->Filters.GetLast()->GetOutputPort());
+  this->PartFilters.GetFirst()->SetInputConnection(this->Parts->GetOutputPort());
 
   const StrokeStyle& stroke = line.Stroke;
   this->Mapper->SetStrengthToWidth(line.Taper);
@@ -46,11 +47,11 @@ LineStrokes::LineStrokes(const LineStyle& line, int index, const LightStyle& lig
   this->Mapper->SetSeed(stroke.Seed);
 
   this->Actor->SetMapper(this->Mapper);
-  this->Actor->SetUserMatrix(matrix);
   this->Actor->GetProperty()->SetColor(line.Ink[0], line.Ink[1], line.Ink[2]);
   this->Actor->GetProperty()->SetOpacity(line.Opacity);
   this->Actor->PickableOff();
   this->Actor->UseBoundsOff();
+  this->DrawParts(false);
 }
 
 LineStrokes::LineStrokes(LineStrokes&&) = default;
@@ -69,24 +70,38 @@ vtkNPRStrokeMapper* LineStrokes::GetMapper()
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* LineStrokes::GetLines()
+vtkAlgorithmOutput* LineStrokes::GetLinesPort()
 {
-  this->Selection->Update();
-  return this->Selection->GetOutput();
+  return this->Selection->GetOutputPort();
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> LineStrokes::MakeStrokes(
-  vtkPolyData* parts, const PageScale& scale, vtkCamera* camera) const
+void LineStrokes::SetParts(vtkAlgorithmOutput* parts, int lineType)
 {
-  StrokeFilters filters(this->Style, this->Light, this->IsStraight, nullptr);
-  filters.SetScale(scale, camera);
-  filters.SetPixel(scale.WorldPerPixel);
-  // What leaves its surface would show through it.
-  filters.SetMaximumShift(MaximumShift * scale.PixelsPerUnit * scale.WorldPerPixel);
-  filters.GetFirst()->SetInputDataObject(parts);
-  filters.GetLast()->Update();
-  return vtkPolyData::SafeDownCast(filters.GetLast()->GetOutputDataObject(0));
+  this->Parts->SetInputConnection(parts);
+  this->Parts->SetLineIndex(lineType);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* LineStrokes::GetPartStrokes()
+{
+  vtkAlgorithm* const last = this->PartFilters.GetLast();
+  last->Update();
+  return vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
+void LineStrokes::DrawParts(bool parts)
+{
+  vtkAlgorithm* const last = (parts ? this->PartFilters : this->Filters).GetLast();
+  if (this->Mapper->GetNumberOfInputConnections(0) > 0 && this->Mapper->GetInputAlgorithm() == last)
+  {
+    return;
+  }
+  this->Mapper->SetInputConnection(last->GetOutputPort());
+  this->Mapper->SetUseHidingLayers(parts);
+  this->Mapper->SetDepthTest(!parts);
+  this->Actor->SetUserMatrix(parts ? nullptr : this->Matrix);
 }
 
 //------------------------------------------------------------------------------
@@ -102,6 +117,10 @@ void LineStrokes::SetScale(
   // A line that has strayed from its surface must still be known as lying on it.
   this->Mapper->SetVisibilityRadius(VisibilityRadius + pixels * stroke.Wobble);
   this->Filters.SetScale(scale, camera);
+  this->PartFilters.SetScale(scale, camera);
+  this->PartFilters.SetPixel(scale.WorldPerPixel);
+  // What leaves its surface would show through it.
+  this->PartFilters.SetMaximumShift(MaximumShift * pixels * scale.WorldPerPixel);
   if (resample)
   {
     this->Filters.SetPixel(modelPixel);

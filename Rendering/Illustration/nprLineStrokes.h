@@ -10,6 +10,7 @@
 #include <vtkSmartPointer.h>
 
 class vtkActor;
+class vtkAlgorithmOutput;
 class vtkCamera;
 class vtkMatrix4x4;
 class vtkNPRLineSelection;
@@ -24,7 +25,8 @@ class SurfacePipeline;
  * @class LineStrokes
  * @brief The strokes that draw one kind of line on one surface.
  *
- * lines -> selection -> StrokeFilters -> mapper.
+ * lines -> selection -> StrokeFilters -> mapper, which leaves out what the depth buffer hides; or
+ * parts of the selection, as somebody has cut it where surfaces hide it -> StrokeFilters -> mapper.
  */
 class LineStrokes
 {
@@ -46,22 +48,26 @@ public:
   /// for it when `resample` says so.
   void SetScale(const PageScale& scale, vtkCamera* camera, double modelPixel, bool resample);
 
-  /// @name For drawings on paper, where what is hidden is cut from the lines first
+  /// The lines that are long enough.
+  vtkAlgorithmOutput* GetLinesPort();
+
+  /// @name Strokes along parts of the lines, cut where surfaces hide them
   ///@{
-  /// The lines that are long enough, up to date.
-  vtkPolyData* GetLines();
-  /// The strokes along parts of them, which are in the world. Ends at which a line has been cut do
-  /// not taper.
-  vtkSmartPointer<vtkPolyData> MakeStrokes(
-    vtkPolyData* parts, const PageScale& scale, vtkCamera* camera) const;
+  /// The parts, in the world; those of these lines have this LineType.
+  void SetParts(vtkAlgorithmOutput* parts, int lineType);
+  /// The strokes along them, up to date. Ends at which a line has been cut do not taper.
+  vtkPolyData* GetPartStrokes();
+  /// Whether they are drawn instead of the whole lines.
+  void DrawParts(bool parts);
   ///@}
 
 private:
   LineStyle Style;
-  LightStyle Light;
-  bool IsStraight;
+  vtkSmartPointer<vtkMatrix4x4> Matrix;
   vtkSmartPointer<vtkNPRLineSelection> Selection;
   StrokeFilters Filters;
+  vtkSmartPointer<vtkNPRLineSelection> Parts;
+  StrokeFilters PartFilters;
   vtkSmartPointer<vtkNPRStrokeMapper> Mapper;
   vtkSmartPointer<vtkActor> Actor;
 };

@@ -70,7 +70,7 @@ vtkAlgorithm* StrokeFilters::GetFirst()
   return this->Splines;
 }
 
-vtkAlgorithm* StrokeFilters::GetLast()
+vtkAlgorithm* StrokeFilters::GetLast() const
 {
   if (this->Attributes)
   {

@@ -33,7 +33,7 @@ public:
   ~StrokeFilters();
 
   vtkAlgorithm* GetFirst();
-  vtkAlgorithm* GetLast();
+  vtkAlgorithm* GetLast() const;
 
   /// Lengths on the page, for a view.
   void SetScale(const PageScale& scale, vtkCamera* camera);

@@ -4,6 +4,7 @@
 
 #include "nprActorIllustration.h"
 #include "nprArrayNames.h"
+#include "nprCutLines.h"
 #include "nprPageScale.h"
 #include "nprPaperStrokes.h"
 #include "nprRendererIllustration.h"
@@ -21,6 +22,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkPropCollection.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
@@ -29,6 +31,12 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkNPRIllustration);
+
+namespace
+{
+/// Frames a second that a window asks for while something moves, at least.
+constexpr double InteractiveRate = 1.0;
+}
 
 //------------------------------------------------------------------------------
 class vtkNPRIllustration::Internals
@@ -49,7 +57,7 @@ public:
     {
       this->Renderer->RemoveObserver(this->StartObserver);
     }
-    this->OnPaper.reset();
+    this->Cut.reset();
     this->Actors.clear();
     this->OnRenderer.reset();
     this->Renderer = nullptr;
@@ -65,7 +73,7 @@ public:
         "the outline image-edges is not drawn: the renderer has a render pass of its own; take it "
         "off, or choose back-faces or grazing");
     }
-    this->OnPaper = std::make_unique<npr::PaperStrokes>();
+    this->Cut = std::make_unique<npr::CutLines>();
     this->LineNames = npr::GetLineNames(style);
 
     // Only what stands in the renderer itself: the parts of an assembly have its matrix, too.
@@ -125,7 +133,13 @@ public:
 
   void GetStrokes(vtkPolyData* strokes, int maximumLayers)
   {
-    this->OnPaper->Make(this->Actors, this->Renderer, this->LineNames, maximumLayers, strokes);
+    const npr::PageScale scale = npr::PageScale::Of(this->Renderer);
+    for (const auto& actor : this->Actors)
+    {
+      actor->Follow(scale);
+    }
+    this->Cut->Update(this->Actors, this->Renderer, scale, maximumLayers, false);
+    npr::CollectStrokes(this->Actors, this->LineNames, strokes);
   }
 
   void SetLineVisibility(int lineType, bool visible)
@@ -138,10 +152,10 @@ public:
 
   double GetSeconds(const std::string& stage) const
   {
-    if (this->OnPaper && (stage == "visibility" || stage == "strokes"))
+    if (this->Cut && (stage == "visibility" || stage == "strokes"))
     {
-      return stage == "strokes" ? this->OnPaper->GetStrokesSeconds()
-                                : this->OnPaper->GetVisibilitySeconds();
+      return stage == "strokes" ? this->Cut->GetStrokesSeconds()
+                                : this->Cut->GetVisibilitySeconds();
     }
     double seconds = 0.0;
     for (const auto& actor : this->Actors)
@@ -175,13 +189,26 @@ private:
       actor->Follow(scale);
     }
     this->ShareLengthScale();
+    const bool exact = this->Self->GetStrokeVisibility() == EXACT &&
+      this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() < InteractiveRate;
+    for (const auto& actor : this->Actors)
+    {
+      for (npr::LineStrokes& strokes : actor->GetStrokes())
+      {
+        strokes.DrawParts(exact);
+      }
+    }
+    if (exact)
+    {
+      this->Cut->Update(this->Actors, this->Renderer, scale, 1, true);
+    }
   }
 
   vtkNPRIllustration* Self;
   vtkSmartPointer<vtkRenderer> Renderer;
   std::unique_ptr<npr::RendererIllustration> OnRenderer;
   std::vector<std::unique_ptr<npr::ActorIllustration>> Actors;
-  std::unique_ptr<npr::PaperStrokes> OnPaper;
+  std::unique_ptr<npr::CutLines> Cut;
   std::vector<std::string> LineNames;
   unsigned long StartObserver = 0;
 };
@@ -189,7 +216,8 @@ private:
 //------------------------------------------------------------------------------
 vtkNPRIllustration::vtkNPRIllustration()
   : Internal(std::make_unique<Internals>(this)),
-    Style(vtkSmartPointer<vtkNPRIllustrationStyle>::New())
+    Style(vtkSmartPointer<vtkNPRIllustrationStyle>::New()),
+    StrokeVisibility(vtkNPRStrokeVisibility::IsAvailable() ? EXACT : DEPTH_BUFFER)
 {
 }
 
@@ -233,6 +261,34 @@ vtkNPRIllustrationStyle* vtkNPRIllustration::GetStyle() const
 }
 
 //------------------------------------------------------------------------------
+void vtkNPRIllustration::SetStrokeVisibility(int visibility)
+{
+  const int clamped = std::clamp<int>(visibility, DEPTH_BUFFER, EXACT);
+  if (clamped == this->StrokeVisibility)
+  {
+    return;
+  }
+  if (clamped == EXACT && !CheckEmbree())
+  {
+    return;
+  }
+  this->StrokeVisibility = clamped;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustration::CheckEmbree()
+{
+  const bool good = vtkNPRStrokeVisibility::IsAvailable();
+  if (!good)
+  {
+    vtkErrorMacro("what is hidden can not be found by this build, which has no Embree; configure "
+                  "it with -DNPR_USE_EMBREE=ON");
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
 bool vtkNPRIllustration::Apply()
 {
   if (!this->Renderer)
@@ -267,10 +323,8 @@ bool vtkNPRIllustration::GetStrokes(vtkPolyData* strokes, int maximumLayers)
       "there are no strokes before Apply(), and none without a vtkPolyData to put them in");
     return false;
   }
-  if (!vtkNPRStrokeVisibility::IsAvailable())
+  if (!this->CheckEmbree())
   {
-    vtkErrorMacro("what is hidden can not be found by this build, which has no Embree; configure "
-                  "it with -DNPR_USE_EMBREE=ON");
     return false;
   }
   this->Internal->GetStrokes(strokes, std::max(maximumLayers, 1));
@@ -306,6 +360,9 @@ void vtkNPRIllustration::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent
+     << "StrokeVisibility: " << (this->StrokeVisibility == EXACT ? "Exact" : "Depth buffer")
+     << "\n";
   os << indent << "Style:\n";
   this->Style->PrintSelf(os, indent.GetNextIndent());
 }

@@ -65,6 +65,34 @@ public:
   vtkNPRIllustrationStyle* GetStyle() const;
   ///@}
 
+  enum StrokeVisibilityType
+  {
+    DEPTH_BUFFER = 0, ///< by the picture's depth buffer: fast, but lines may break
+    EXACT = 1         ///< by the surfaces themselves, as for a drawing on paper: lines stay whole
+  };
+
+  /**
+   * @name How it is found which strokes surfaces hide
+   *
+   * EXACT cuts the lines with vtkNPRStrokeVisibility before they become strokes: strokes end where
+   * a surface covers them, never within themselves. It costs time for each new view, more for the
+   * first one and when surfaces move. While an interactor moves something (the window's
+   * DesiredUpdateRate is one frame a second or more) the depth buffer serves.
+   *
+   * In both cases strokes are hidden by all opaque actors of the renderer that are shown as
+   * surfaces, illustrated or not; translucent ones hide nothing. Points, wires and what is no
+   * vtkActor hide strokes with DEPTH_BUFFER only.
+   *
+   * A change shows in the next render. Default: EXACT; in builds without Embree DEPTH_BUFFER, and
+   * EXACT is an error.
+   */
+  ///@{
+  void SetStrokeVisibility(int visibility);
+  int GetStrokeVisibility() const { return this->StrokeVisibility; }
+  void SetStrokeVisibilityToDepthBuffer() { this->SetStrokeVisibility(DEPTH_BUFFER); }
+  void SetStrokeVisibilityToExact() { this->SetStrokeVisibility(EXACT); }
+  ///@}
+
   /// Put the illustration on the renderer, in place of what an earlier call put there. The camera
   /// and the size of the window should be set by then: the size of a pixel decides which details
   /// are drawn. Returns false, with an error, without a renderer.
@@ -99,8 +127,8 @@ public:
   void SetLineVisibility(int lineType, bool visible);
 
   /// Seconds spent so far in "prepare", "curvature" or "lines", by the filters of the
-  /// illustration that is on the renderer, and in "visibility" and "strokes" by GetStrokes(); 0 for
-  /// other names.
+  /// illustration that is on the renderer, and in "visibility" and "strokes" where StrokeVisibility
+  /// is EXACT and by GetStrokes(); 0 for other names.
   double GetStageSeconds(const std::string& stage) const;
 
 protected:
@@ -111,10 +139,14 @@ private:
   vtkNPRIllustration(const vtkNPRIllustration&) = delete;
   void operator=(const vtkNPRIllustration&) = delete;
 
+  /// Whether this build can find what surfaces hide; else an error has been said.
+  bool CheckEmbree();
+
   class Internals;
   std::unique_ptr<Internals> Internal;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkNPRIllustrationStyle> Style;
+  int StrokeVisibility;
 };
 
 #endif

@@ -3,13 +3,12 @@
 #include "vtkNPRSceneStrokes.h"
 
 #include "nprArrayNames.h"
+#include "nprSceneActors.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRStrokeMapper.h"
 #include "vtkNPRSurfacePreparation.h"
 
 #include <vtkActor.h>
-#include <vtkAssemblyNode.h>
-#include <vtkAssemblyPath.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -35,32 +34,6 @@ vtkStandardNewMacro(vtkNPRSceneStrokes);
 
 namespace
 {
-/// Calls `visit(actor, matrix)` for each visible actor, parts of assemblies too.
-template<typename Visit>
-void VisitActors(vtkRenderer* renderer, const Visit& visit)
-{
-  vtkPropCollection* const props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator next;
-  props->InitTraversal(next);
-  while (vtkProp* const prop = props->GetNextProp(next))
-  {
-    if (!prop->GetVisibility())
-    {
-      continue;
-    }
-    prop->InitPathTraversal();
-    while (vtkAssemblyPath* const path = prop->GetNextPath())
-    {
-      vtkAssemblyNode* const node = path->GetLastNode();
-      auto* const actor = vtkActor::SafeDownCast(node->GetViewProp());
-      if (actor && actor->GetVisibility() && actor->GetMapper())
-      {
-        visit(actor, node->GetMatrix());
-      }
-    }
-  }
-}
-
 /// Lines of many sources as one set of strokes.
 class StrokeCollector
 {
@@ -176,7 +149,7 @@ vtkMTimeType vtkNPRSceneStrokes::GetMTime()
     {
       time = std::max(time, prop->GetMTime());
     }
-    VisitActors(this->Renderer,
+    npr::VisitActors(this->Renderer,
       [&time](vtkActor* actor, vtkMatrix4x4*) { time = std::max(time, actor->GetRedrawMTime()); });
   }
   return time;
@@ -192,7 +165,7 @@ int vtkNPRSceneStrokes::RequestData(
     return 0;
   }
   StrokeCollector strokes;
-  VisitActors(this->Renderer,
+  npr::VisitActors(this->Renderer,
     [&](vtkActor* actor, vtkMatrix4x4* matrix)
     {
       vtkMapper* const mapper = actor->GetMapper();
