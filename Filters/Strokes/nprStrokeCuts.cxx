@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace npr
 {
@@ -33,6 +34,9 @@ StrokeCuts::StrokeCuts(vtkPolyData* strokes)
   {
     return;
   }
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  const Vector3 noPlace = { nowhere, nowhere, nowhere };
+  this->Places.assign(strokes->GetNumberOfLines(), { noPlace, noPlace });
   vtkNew<vtkIdList> ids;
   for (vtkIdType line = 0; line < strokes->GetNumberOfLines(); ++line)
   {
@@ -41,10 +45,10 @@ StrokeCuts::StrokeCuts(vtkPolyData* strokes)
     {
       continue;
     }
-    for (const vtkIdType id : { ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1) })
+    for (const int end : { 0, 1 })
     {
-      Vector3 place;
-      strokes->GetPoint(id, place.data());
+      Vector3& place = this->Places[line][end];
+      strokes->GetPoint(ids->GetId(end == 0 ? 0 : ids->GetNumberOfIds() - 1), place.data());
       if (std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]))
       {
         this->Ends[place].push_back(line);
@@ -70,5 +74,11 @@ bool StrokeCuts::IsCut(vtkIdType line, const Vector3& place) const
         return this->Get(this->Layers, other) != this->Get(this->Layers, line) &&
           (!this->ChainIds || this->Get(this->ChainIds, other) == this->Get(this->ChainIds, line));
       });
+}
+//------------------------------------------------------------------------------
+bool StrokeCuts::Continues(vtkIdType line, vtkIdType other) const
+{
+  return !this->Places.empty() && this->Places[line][0] == this->Places[other][1] &&
+    (!this->ChainIds || this->Get(this->ChainIds, line) == this->Get(this->ChainIds, other));
 }
 }

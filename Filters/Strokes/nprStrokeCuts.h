@@ -8,6 +8,7 @@
 
 #include <vtkType.h>
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -35,6 +36,9 @@ public:
   /// another number of surfaces hides.
   bool IsCut(vtkIdType line, const Vector3& place) const;
 
+  /// Whether a line begins where another of its chain ends, as parts of one stroke do.
+  bool Continues(vtkIdType line, vtkIdType other) const;
+
 private:
   double Get(vtkDataArray* array, vtkIdType line) const;
 
@@ -42,6 +46,7 @@ private:
   vtkDataArray* ChainIds;
   vtkIdType FirstCell;
   std::map<Vector3, std::vector<vtkIdType>> Ends;
+  std::vector<std::array<Vector3, 2>> Places; // of each line's ends; not numbers where it has none
 };
 }
 

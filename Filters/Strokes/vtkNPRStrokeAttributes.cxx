@@ -45,6 +45,44 @@ vtkSmartPointer<vtkFloatArray> AddArray(vtkPolyData* output, const char* name)
   return array;
 }
 
+/// What averages need to know of the strokes, where the parts of one that has been cut are joined
+/// again: strokes do not change their width where others cross them.
+std::vector<npr::ShapedStrokes> JoinParts(
+  const std::vector<npr::ShapedStrokes>& strokes, const npr::StrokeCuts& cuts)
+{
+  const auto isWhole = [&](std::size_t line)
+  { return strokes[line].Sizes.size() == 1 && !strokes[line].Closed.front(); };
+  std::vector<npr::ShapedStrokes> joined;
+  for (std::size_t first = 0, next = 0; first < strokes.size(); first = next)
+  {
+    npr::ShapedStrokes whole;
+    whole.Sizes = strokes[first].Sizes;
+    whole.Lengths = strokes[first].Lengths;
+    whole.Reaches = strokes[first].Reaches;
+    whole.Closed = strokes[first].Closed;
+    const auto continues = [&cuts](std::size_t line, std::size_t other)
+    { return cuts.Continues(static_cast<vtkIdType>(line), static_cast<vtkIdType>(other)); };
+    for (next = first + 1;
+         next < strokes.size() && isWhole(first) && isWhole(next) && continues(next, next - 1);
+         ++next)
+    {
+      const float end = whole.Lengths.back();
+      for (const float length : strokes[next].Lengths)
+      {
+        whole.Lengths.push_back(end + length);
+      }
+      whole.Sizes.front() += strokes[next].Sizes.front();
+      whole.Reaches.front() = std::max(whole.Reaches.front(), strokes[next].Reaches.front());
+    }
+    if (next > first + 1)
+    {
+      whole.Closed.front() = continues(first, next - 1);
+    }
+    joined.push_back(std::move(whole));
+  }
+  return joined;
+}
+
 /// Along each stroke.
 void Average(const std::vector<npr::ShapedStrokes>& strokes, vtkFloatArray* array)
 {
@@ -52,7 +90,7 @@ void Average(const std::vector<npr::ShapedStrokes>& strokes, vtkFloatArray* arra
   for (const npr::ShapedStrokes& stroke : strokes)
   {
     stroke.Average(values);
-    values += stroke.Samples.size();
+    values += stroke.Lengths.size();
   }
 }
 
@@ -279,14 +317,15 @@ int vtkNPRStrokeAttributes::RequestData(
       curvatures->InsertNextValue(curvature);
     }
   }
+  const std::vector<npr::ShapedStrokes> whole = JoinParts(strokes, cuts);
   if (this->Uses(npr::names::CurveCurvature))
   {
-    Average(strokes, curvatures);
+    Average(whole, curvatures);
     output->GetPointData()->AddArray(curvatures);
   }
   if (this->Uses(npr::names::Shade))
   {
-    AddShade(output, measure, this->LightDirection, strokes);
+    AddShade(output, measure, this->LightDirection, whole);
   }
   if (this->Uses(npr::names::IsophoteDistance))
   {

@@ -37,8 +37,9 @@
  * A stroke whose first and last points are at one place is closed: it neither tapers nor
  * overshoots, and wobbles without a seam. Where strokes have been cut by their visibility (cell
  * array `HidingLayers`), an end at the place of an end of another part with another number of
- * layers is no end of the stroke and does neither, too. As the parts that have been dropped are not
- * known, let this filter come before the one that cuts, if you can.
+ * layers is no end of the stroke and does neither, too. Averages go on over such ends, where the
+ * parts of a stroke come one after the other, as vtkNPRStrokeVisibility gives them. As the parts
+ * that have been dropped are not known, let this filter come before the one that cuts, if you can.
  *
  * Points are added where the input's are too far apart for a taper or a wave. Numeric point arrays
  * are interpolated, cell arrays copied; field data is passed. The point array `ArcLength` (unit:

@@ -355,6 +355,61 @@ void TestShade()
   }
 }
 
+// A stroke that has been cut is as wide as it was whole, in each of its parts.
+void TestAveragesOverCuts()
+{
+  const auto shadeOf = [](const std::vector<Points>& lines, const std::vector<int>& layers)
+  {
+    const vtkSmartPointer<vtkPolyData> data = MakeLines(lines);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetName(npr::names::Normals);
+    normals->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      const double angle = GetPoint(data, i)[0] + GetPoint(data, i)[1];
+      normals->InsertNextTuple3(0, std::cos(angle), std::sin(angle));
+    }
+    data->GetPointData()->AddArray(normals);
+    AddCellArray(data, npr::names::HidingLayers, layers);
+    AddCellArray(data, npr::names::ChainId, std::vector<int>(layers.size(), 7));
+    vtkNew<vtkNPRStrokeAttributes> filter;
+    filter->SetLengthUnitToModel();
+    filter->SetReach(1.5);
+    filter->AddTerm(vtkNPRStrokeAttributes::WIDTH, npr::names::Shade);
+    filter->SetLightDirection(0, 1, 0);
+    vtkPolyData* output = Run(filter, data);
+    std::vector<double> shade;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      shade.push_back(Get(output, npr::names::Shade, i));
+    }
+    return shade;
+  };
+  const Points whole = Straight(8, 8);
+  const auto part = [&whole](std::ptrdiff_t begin, std::ptrdiff_t end)
+  { return Points(whole.begin() + begin, whole.begin() + end + 1); };
+  const std::vector<double> expected = shadeOf({ whole }, { 0 });
+  const std::vector<double> cut = shadeOf({ part(0, 3), part(3, 4), part(4, 8) }, { 0, 1, 0 });
+  for (std::size_t i = 0; i < cut.size(); ++i)
+  {
+    const std::size_t place = i - (i > 3) - (i > 5);
+    Expect(cut[i], expected[place], 1e-6, "average in parts at " + std::to_string(place));
+  }
+  const std::vector<double> apart = shadeOf({ part(0, 3), part(4, 8) }, { 0, 0 });
+  Check(std::abs(apart[3] - expected[3]) > 0.01, "what is not connected has averages of its own");
+
+  // A closed one, from a part to the first again.
+  const Points circle = Circle(40, 1);
+  const std::vector<double> loop = shadeOf({ circle }, { 0 });
+  const std::vector<double> halves = shadeOf(
+    { Points(circle.begin(), circle.begin() + 21), Points(circle.begin() + 20, circle.end()) },
+    { 0, 1 });
+  for (std::size_t i = 0; i < halves.size(); ++i)
+  {
+    Expect(halves[i], loop[i - (i > 20)], 1e-6, "average in a loop at " + std::to_string(i));
+  }
+}
+
 void TestTerms()
 {
   vtkSmartPointer<vtkPolyData> data = MakeLines({ Straight(4, 4) });
@@ -617,6 +672,7 @@ int TestStrokeAttributes(int, char*[])
   TestClosed();
   TestCurvature();
   TestShade();
+  TestAveragesOverCuts();
   TestTerms();
   TestOvershoot();
   TestWobble();
