@@ -13,6 +13,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkHardwareSelector.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
 #include <vtkMatrix4x4.h>
@@ -230,6 +231,14 @@ void vtkNPRShadingPass::Render(const vtkRenderState* state)
 {
   this->NumberOfRenderedProps = 0;
   this->Renderer = state->GetRenderer();
+  if (vtkHardwareSelector* const selector = this->Renderer->GetSelector())
+  {
+    // Only renderers without a pass leave the props to the selector.
+    this->Renderer->GetActiveCamera()->Render(this->Renderer);
+    this->NumberOfRenderedProps =
+      selector->Render(this->Renderer, state->GetPropArray(), state->GetPropArrayCount());
+    return;
+  }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   if (this->Style && this->CheckedTime != this->Style->GetCodeMTime())
   {
@@ -246,7 +255,7 @@ void vtkNPRShadingPass::Render(const vtkRenderState* state)
     this->Style->Activate(window);
   }
   this->Outlined.clear();
-  if (this->Outline == BackFaces && !this->Renderer->GetSelector())
+  if (this->Outline == BackFaces)
   {
     for (vtkProp* prop : props)
     {
