@@ -36,8 +36,6 @@ vtkSmartPointer<vtkPolyData> MoveToWorld(vtkPolyData* lines, vtkMatrix4x4* matri
   transform->SetMatrix(matrix);
   vtkNew<vtkTransformPolyDataFilter> toWorld;
   toWorld->SetTransform(transform);
-  // Far from the origin the world needs more digits than the model.
-  toWorld->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   toWorld->SetInputData(lines);
   toWorld->Update();
   return toWorld->GetOutput();
