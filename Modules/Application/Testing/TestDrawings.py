@@ -172,6 +172,21 @@ class TestDrawings(CommandTest):
         with open(self.draw(self.model, name="drawing.pdf"), "rb") as file:
             self.assertTrue(file.read().startswith(b"%PDF-"))
 
+    def test_images_by_the_surfaces_or_by_the_depth_buffer(self):
+        dark = {}
+        seconds = {}
+        for visibility in ("exact", "depth"):
+            words = ["--style", "ink", "--size", "300x300", "--visibility", visibility, "--verbose"]
+            result = self.run_well("render", self.model, "-o", self.image, *words)
+            seconds[visibility] = float(re.search(r"visibility +([\d.]+) s", result.stderr).group(1))
+            rows = read_png(self.image)[3]
+            dark[visibility] = sum(1 for row in rows for value in row if value < 64)
+        self.assertGreater(dark["exact"], 1000)
+        self.assertAlmostEqual(dark["exact"] / dark["depth"], 1, delta=0.05)
+        self.assertEqual(seconds["depth"], 0)
+        self.refuse(["--visibility", "exact"], USAGE, "--visibility", "images")
+        self.refuse(["--visibility", "guess"], USAGE, "--visibility", name="other.png")
+
     def test_demo(self):
         self.run_well("demo", self.folder, "--size", "160x120")
         self.assertTrue(any("hidden" in name for name in Drawing(self.path("drawing.svg")).layers))
