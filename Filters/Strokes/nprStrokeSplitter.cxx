@@ -85,8 +85,13 @@ private:
 
   void Push(std::size_t part, double least)
   {
+    const bool hasBefore = this->IsUsable(this->Before[part], part);
+    const bool hasAfter = this->IsUsable(this->After[part], part);
+    // What ends hidden is no gap.
+    const bool mayChange =
+      this->Parts[part].Layers > 0 ? hasBefore && hasAfter : hasBefore || hasAfter;
     if (this->Parts[part].Layers != StrokePart::Nowhere && this->Parts[part].Length < least &&
-      (this->IsUsable(this->Before[part], part) || this->IsUsable(this->After[part], part)))
+      mayChange)
     {
       this->Shortest.push({ this->Parts[part].Length, part });
     }

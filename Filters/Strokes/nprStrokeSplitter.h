@@ -33,7 +33,8 @@ struct StrokePart
 
 /// Parts shorter than \p least become part of their neighbours: the shortest first, if both
 /// neighbours are alike with both of them, else with the longer one (or the one that there is; of
-/// two as long, the one before). The last part of a closed stroke is a neighbour of its first.
+/// two as long, the one before). Hidden parts at the ends of open strokes stay. The last part of a
+/// closed stroke is a neighbour of its first.
 /// \p size is the number of segments of the stroke.
 std::vector<StrokePart> MergeParts(
   std::vector<StrokePart> parts, double least, bool isClosed, std::size_t size);

@@ -46,7 +46,8 @@
  * nearly edge-on, behind something, are looked at pixel by pixel. Beyond 4 heights of the image
  * from its middle cuts may be missing. Then pieces that are alike are put together, and parts
  * shorter than MinimumLength become part of their neighbours: the shortest first, if both
- * neighbours are alike with both, else with the longer one.
+ * neighbours are alike with both, else with the longer one. A stroke that ends hidden keeps its
+ * hidden end, however short.
  *
  * @par Output
  * Polylines in the strokes' own space, without shared points; parts that touch have the same point

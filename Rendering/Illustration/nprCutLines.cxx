@@ -15,9 +15,9 @@ namespace npr
 {
 namespace
 {
-// Thousandths of the image's shorter side: about as wide as lines are, so that shorter gaps and
-// pieces are no lines, but dirt.
-constexpr double ShortestPart = 2.0;
+// Thousandths of the image's shorter side: twice as wide as lines are, whose round ends make gaps
+// shorter and pieces longer by once their width. What is shorter is no line, but dirt.
+constexpr double ShortestPart = 5.0;
 }
 
 //------------------------------------------------------------------------------

@@ -113,9 +113,10 @@ public:
    * LineType, by the names in the field data LineTypeNames, for which
    * vtkNPRIllustrationStyle::GetDrawingStyle() gives the looks; point arrays Strength, and Width
    * and Opacity where the style needs them. More hiding layers than `maximumLayers` are not
-   * counted. Hidden and visible pieces that are shorter than 0.002 of the image's shorter side are
+   * counted. Hidden and visible pieces that are shorter than 0.005 of the image's shorter side are
    * put together with their neighbours. Returns false, with an error, before Apply() and in builds
-   * without Embree. No window has to be rendered, but it must have its size.
+   * without Embree. No window has to be rendered, but it must have its size. Clipping planes of
+   * mappers, which cut what is shown on screen, cut nothing here.
    */
   bool GetStrokes(vtkPolyData* strokes, int maximumLayers = 1);
 

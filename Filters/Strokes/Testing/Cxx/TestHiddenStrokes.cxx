@@ -62,6 +62,21 @@ void TestNarrow()
   check(GetLayers(GetParts(filter)) == "0", "what is shorter than a pixel becomes visible");
 }
 
+void TestShortEnds()
+{
+  // Half a pixel is on the other side of the border of the sheet.
+  const double pixel = 0.004;
+  const auto hidden = MakePolylines({ { { 1.0 - 0.5 * pixel, 0.1, -1.0 }, { 2.0, 0.1, -1.0 } } });
+  const auto sheet = MakeSheet(1.0, 1.0, 0.0);
+  auto filter = MakeFilter(hidden, { sheet }, MakeCamera(Front));
+  filter->SetMinimumLength(1.0);
+  check(AreParts(GetParts(filter), "1 0", 0, { 1.0 }, 1e-6), "a short hidden end stays hidden");
+  const auto visible = MakePolylines({ { { 0.0, 0.1, -1.0 }, { 1.0 + 0.5 * pixel, 0.1, -1.0 } } });
+  filter = MakeFilter(visible, { sheet }, MakeCamera(Front));
+  filter->SetMinimumLength(1.0);
+  check(GetLayers(GetParts(filter)) == "1", "a short visible end goes");
+}
+
 void TestSphere()
 {
   // Entered and left: two layers. The finer the sphere, the nearer the cut to the true outline.
@@ -253,6 +268,7 @@ int TestHiddenStrokes(int, char*[])
   TestSheets();
   TestSlanted();
   TestNarrow();
+  TestShortEnds();
   TestSphere();
   TestBox();
   TestThinWall();
