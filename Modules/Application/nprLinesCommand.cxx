@@ -37,6 +37,7 @@ struct LinesOptions
   ViewOptions View;
   std::string Output;
   StyleOptions Style;
+  std::string Quantities;
   bool List = false;
 };
 
@@ -113,6 +114,14 @@ void MakeLines(const LinesOptions& options, Reporter& reporter)
   // All styles have the same lines; how a style draws them plays no part.
   vtkNew<vtkNPRIllustrationStyle> style;
   options.Style.ApplyTo(style, reporter);
+  for (const std::string& quantity : SplitList(options.Quantities))
+  {
+    if (!style->AddQuantity(quantity))
+    {
+      reporter.DropVTKErrors();
+      throw CommandError(UsageError, "--quantities: " + style->GetErrorMessage());
+    }
+  }
   if (SplitList(options.Style.Lines).empty())
   {
     throw CommandError(UsageError, "--lines names no kind of line (npr lines --list)");
@@ -156,12 +165,16 @@ void AddLinesCommand(CLI::App& program, Reporter& reporter)
   options->Style.Lines = "contours,suggestive,creases,boundaries,non-manifold";
   command->add_option("--lines", options->Style.Lines, "Which kinds of lines")
     ->capture_default_str();
+  command->add_option("--quantities", options->Quantities,
+    "What points carry of the surface: of formulas (kr,K,H,k1,ndotv,...), or the model's point "
+    "arrays");
   options->Style.AddSettingsTo(*command);
   command->add_flag("--list", options->List, "List the kinds of lines");
   options->View.AddTo(*command);
   command->footer(
     "Examples:\n"
     "  npr lines scan.ply -o lines.vtp --lines contours,suggestive --view front\n"
+    "  npr lines scan.ply -o lines.vtp --lines ridges,valleys --quantities K,H\n"
     "  npr lines scan.ply -o lines.vtp --lines contours --define flat \"K\" \"H > 0.5\"");
   command->callback(
     [options, &reporter]()

@@ -22,6 +22,7 @@
 #include <vtkTexture.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -39,6 +40,19 @@ bool HasOwnColor(vtkMapper* mapper, vtkActor* actor)
       mapper->GetScalarMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
       mapper->GetArrayName(), cellFlag);
   return !isWhite || hasScalars || actor->GetTexture();
+}
+
+std::set<std::string> GetQuantities(const StyleDocument& style)
+{
+  std::set<std::string> quantities(style.Quantities.begin(), style.Quantities.end());
+  for (const LineStyle& line : GetDrawnLines(style))
+  {
+    for (const std::string& quantity : line.Stroke.GetQuantities())
+    {
+      quantities.insert(quantity);
+    }
+  }
+  return quantities;
 }
 }
 
@@ -101,6 +115,10 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
     strokes.GetMapper()->SetClippingPlanes(this->OriginalMapper->GetClippingPlanes());
     renderer->AddActor(strokes.GetActor());
     lines->AddDefinition(MakeLineDefinition(line, "/lines"));
+  }
+  for (const std::string& quantity : GetQuantities(style))
+  {
+    lines->AddQuantity(quantity.c_str());
   }
   if (lines->GetNumberOfDefinitions() == 0)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprStrokeFilters.h"
 
+#include "nprArrayNames.h"
 #include "vtkNPRSplineStrokes.h"
 #include "vtkNPRStrokeAttributes.h"
 
@@ -23,6 +24,7 @@ vtkSmartPointer<vtkNPRStrokeAttributes> MakeAttributes(
   attributes->SetMatrix(matrix);
   attributes->SetTaperedWidth(style.TaperedWidth);
   attributes->SetTaperedOpacity(style.TaperedOpacity);
+  attributes->SetIsophoteLevel(style.IsophoteLevel);
   attributes->SetSeed(style.Seed);
   const double azimuth = vtkMath::RadiansFromDegrees(light.Azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(light.Elevation);
@@ -91,6 +93,18 @@ void StrokeFilters::SetScale(const PageScale& scale, vtkCamera* camera)
     this->Attributes->SetOvershootLength(heights * this->Style.Overshoot);
     this->Attributes->SetWobbleAmplitude(heights * this->Style.Wobble);
     this->Attributes->SetWobbleWavelength(heights * this->Style.WobbleLength);
+    int number = 0;
+    for (const auto* terms : { &this->Style.WidthBy, &this->Style.OpacityBy })
+    {
+      for (const TermStyle& term : *terms)
+      {
+        if (term.Array == names::IsophoteDistance)
+        {
+          this->Attributes->SetTermRange(number, heights * term.Range[0], heights * term.Range[1]);
+        }
+        ++number;
+      }
+    }
   }
 }
 

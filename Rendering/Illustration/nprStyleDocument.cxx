@@ -4,6 +4,7 @@
 
 #include "nprArrayNames.h"
 #include "nprStyleSection.h"
+#include "nprViewQuantities.h"
 
 #include <vtkColor.h>
 #include <vtkNamedColors.h>
@@ -89,6 +90,7 @@ void ReadStrokeStyle(StyleSection& section, StrokeStyle& stroke)
   section.Read("wobble", stroke.Wobble, 0.0, 100.0);
   section.Read("wobble_length", stroke.WobbleLength, 1.0, 10000.0);
   section.Read("bend_reach", stroke.BendReach, 0.1, 1000.0);
+  section.Read("isophote_level", stroke.IsophoteLevel, -1.0, 1.0);
   section.Read("seed", stroke.Seed, 0, 1000000);
   stroke.WidthBy = ReadTerms(section, "width_by", 100.0, std::move(stroke.WidthBy));
   stroke.OpacityBy = ReadTerms(section, "opacity_by", 1.0, std::move(stroke.OpacityBy));
@@ -197,8 +199,19 @@ Color ParseColor(const std::string& text)
 //------------------------------------------------------------------------------
 const std::vector<std::string>& TermStyle::GetArrays()
 {
-  static const std::vector<std::string> arrays{ names::Strength, names::ViewDistance,
-    names::ArcLength, names::CurveCurvature, names::Shade };
+  static const std::vector<std::string> arrays = []()
+  {
+    std::vector<std::string> all{ names::Strength, names::ViewDistance, names::ArcLength,
+      names::CurveCurvature, names::Shade, names::IsophoteDistance };
+    for (const ViewQuantity& quantity : GetViewQuantities())
+    {
+      if (quantity.Components == 1)
+      {
+        all.emplace_back(quantity.Name);
+      }
+    }
+    return all;
+  }();
   return arrays;
 }
 
@@ -214,6 +227,27 @@ bool StrokeStyle::NeedsAttributes() const
 {
   return this->TaperLength > 0.0 || this->Overshoot > 0.0 || this->Wobble > 0.0 ||
     !this->WidthBy.empty() || !this->OpacityBy.empty();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> StrokeStyle::GetQuantities() const
+{
+  std::vector<std::string> quantities;
+  for (const auto* terms : { &this->WidthBy, &this->OpacityBy })
+  {
+    for (const TermStyle& term : *terms)
+    {
+      if (FindViewQuantity(term.Array))
+      {
+        quantities.push_back(term.Array);
+      }
+      else if (term.Array == names::IsophoteDistance)
+      {
+        quantities.emplace_back(names::RadialCurvature);
+      }
+    }
+  }
+  return quantities;
 }
 
 //------------------------------------------------------------------------------

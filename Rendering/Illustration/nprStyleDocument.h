@@ -64,12 +64,15 @@ struct StrokeStyle
   double Wobble = 0.0;
   double WobbleLength = 60.0;
   double BendReach = 20.0; ///< what bends within less is no bend, and so for shade
+  double IsophoteLevel = -0.5; ///< -1..1, the cosine of normal and light up to which it is dark
   int Seed = 0;
   std::vector<TermStyle> WidthBy;
   std::vector<TermStyle> OpacityBy;
 
   /// Whether it takes more than a mapper.
   bool NeedsAttributes() const;
+  /// What lines must carry of the surface: names that vtkNPRFeatureLines knows.
+  std::vector<std::string> GetQuantities() const;
 };
 
 struct LineStyle
@@ -151,6 +154,7 @@ struct StyleDocument
   GeometryStyle Geometry;
   OutlineStyle Outline;
   std::vector<LineStyle> Lines;
+  std::vector<std::string> Quantities; ///< That lines carry of the surface, besides.
 };
 
 /// Whether a line is of the kind, or has the name as a parameter.

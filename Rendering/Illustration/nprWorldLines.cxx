@@ -3,6 +3,8 @@
 #include "nprWorldLines.h"
 
 #include "nprArrayNames.h"
+#include "nprLengthScale.h"
+#include "nprPageScale.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkAppendPolyData.h>
@@ -112,6 +114,7 @@ int WorldLines::RequestData(
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   vtkNew<vtkAppendPolyData> append;
   int mostNumbers = 0;
+  double lengthScale = 0.0;
   for (std::size_t i = 0; i < this->Origins.size(); ++i)
   {
     const Origin& origin = this->Origins[i];
@@ -123,6 +126,7 @@ int WorldLines::RequestData(
       lines->ShallowCopy(input);
       SetNumber(lines, origin.Number);
       append->AddInputData(MoveToWorld(lines, origin.Matrix));
+      lengthScale = std::max(lengthScale, GetLengthScale(input) * ComputeScale(origin.Matrix));
     }
   }
   if (append->GetNumberOfInputConnections(0) > 0)
@@ -135,6 +139,7 @@ int WorldLines::RequestData(
   labels->SetName(names::LineTypeNames);
   labels->SetNumberOfValues(mostNumbers);
   output->GetFieldData()->AddArray(labels);
+  SetLengthScale(output, lengthScale);
   return 1;
 }
 }

@@ -6,7 +6,9 @@
 #include "nprDrawingInks.h"
 #include "nprStyleDocument.h"
 #include "nprStyleObjects.h"
+#include "vtkNPRFeatureLines.h"
 
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
@@ -190,6 +192,21 @@ bool vtkNPRIllustrationStyle::AddLines(const std::vector<std::string>& types)
     return this->Fail(error.what());
   }
   this->Document->Lines = std::move(lines);
+  this->ErrorMessage.clear();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::AddQuantity(const std::string& name)
+{
+  vtkNew<vtkNPRFeatureLines> lines;
+  lines->AddQuantity(name.c_str());
+  if (lines->GetNumberOfQuantities() == 0)
+  {
+    return this->Fail("lines can not carry a quantity \"" + name + "\"");
+  }
+  this->Document->Quantities.push_back(name);
   this->ErrorMessage.clear();
   this->Modified();
   return true;

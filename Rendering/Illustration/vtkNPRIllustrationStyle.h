@@ -73,6 +73,10 @@ public:
   bool SetLineParameter(
     const std::string& type, const std::string& parameter, const std::string& value);
 
+  /// Have the points of lines carry a quantity of the surface: any that
+  /// vtkNPRFeatureLines::AddQuantity() knows.
+  bool AddQuantity(const std::string& name);
+
   /// @name Outline
   /// Outlines that cost no extraction of lines; their look is the style's (its section "outline").
   /// They are no strokes: no chains, no tapering, no paper. For the full control of lines choose

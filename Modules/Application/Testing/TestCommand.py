@@ -243,6 +243,32 @@ class TestCommand(CommandTest):
         self.run_well("render", self.model, "-o", self.image, "--style", "ink", "--size", "64x64", "--define", "cut", "pz - 0.4", "")
         self.assertNotEqual(before, read_png(self.image)[3], "what is defined is drawn")
 
+    def test_quantities(self):
+        path = self.path("lines.vtp")
+        self.run_well("lines", self.model, "-o", path, "--lines", "creases", "--quantities", "K,ndotv,p")
+        if vtkXMLPolyDataReader:
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(path)
+            reader.Update()
+            lines = reader.GetOutput()
+            for name, components in (("K", 1), ("ndotv", 1), ("p", 3)):
+                array = lines.GetPointData().GetArray(name)
+                self.assertEqual(array.GetNumberOfTuples(), lines.GetNumberOfPoints())
+                self.assertEqual(array.GetNumberOfComponents(), components)
+            places = lines.GetPointData().GetArray("p")
+            for i in range(lines.GetNumberOfPoints()):
+                for a, b in zip(places.GetTuple(i), lines.GetPoint(i)):
+                    self.assertAlmostEqual(a, b, 5)
+        for code, quantities, *said in (
+            (1, "K,Strength", "--quantities", '"Strength"'),
+            (2, "Heat", '"Heat"', "point arrays are"),
+        ):
+            with self.subTest(quantities=quantities):
+                result = run("lines", self.model, "-o", path, "--quantities", quantities)
+                self.assertEqual(result.returncode, code, result.stderr)
+                for text in said:
+                    self.assertIn(text, result.stderr)
+
     def test_define_wrongly(self):
         path = self.path("lines.vtp")
         for code, words, *said in (

@@ -6,10 +6,12 @@
 #include "vtkNPRExpressionLines.h"
 #include "vtkNPRIllustrationStyle.h"
 
+#include <vtkCamera.h>
 #include <vtkCell.h>
 #include <vtkCommand.h>
 #include <vtkElevationFilter.h>
 #include <vtkFieldData.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
@@ -173,6 +175,19 @@ void CheckStrokes()
     R"("width_by": [{"by": "Shade", "range": [-0.2, 0.2], "factors": [1, 0], "smooth": true}])");
   Check(isHalf(shaded),
     "widths by the light: " + std::to_string(shaded) + " of " + std::to_string(all));
+  // Of the contour, what the light (35 degrees to the left, 40 up) leaves darker than the level.
+  // The contour's normals lean towards the eye.
+  const double lean = std::asin(0.5 / scene.Renderer->GetActiveCamera()->GetDistance());
+  const double light[2] = { 0.7788, 0.6275 }; // across the line of sight, and along
+  const double cosine = (0.5 + light[1] * std::sin(lean)) / (light[0] * std::cos(lean));
+  const int dark = count("", R"("isophote_level": -0.5, "bend_reach": 1,
+    "width_by": [{"by": "IsophoteDistance", "range": [0, 0.1], "factors": [0, 1]}])");
+  Check(std::abs(dark - std::acos(cosine) / vtkMath::Pi() * all) < 0.02 * all,
+    "widths by the distance to an isophote: " + std::to_string(dark) + " of " +
+      std::to_string(all));
+  // The Gaussian curvature of a sphere, whose length scale is its radius, is 1.
+  Check(isHalf(count("", R"("width_by": [{"by": "K", "range": [0.5, 1.5], "factors": [0, 1]}])")),
+    "widths by the curvature of the surface");
   Check(count("", R"("medium": "pencil", "grain": 1, "grain_size": 3)") < 0.97 * all, "a medium");
   Check(count("", R"("wobble": 3, "wobble_length": 50, "seed": 3)") > 0.8 * all, "a wobble");
 }
