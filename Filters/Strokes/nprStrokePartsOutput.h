@@ -3,8 +3,9 @@
 #ifndef nprStrokePartsOutput_h
 #define nprStrokePartsOutput_h
 
-#include "nprStrokeSplitter.h"
+#include "nprStrokeParts.h"
 #include "nprVTKCompat.h"
+#include "vtkNPRFiltersStrokesModule.h"
 
 #include <vector>
 
@@ -17,11 +18,11 @@ VTK_ABI_NAMESPACE_END
 namespace npr
 {
 /// Whether a polyline ends at the point where it begins, and is more than there and back.
-bool IsClosedStroke(vtkPoints* points, vtkIdList* ids);
+VTKNPRFILTERSSTROKES_EXPORT bool IsClosedStroke(vtkPoints* points, vtkIdList* ids);
 
 /// Writes the parts of each polyline of the input that are anywhere, as vtkNPRStrokeVisibility
 /// documents. \p parts has as many entries as the input has lines.
-void WriteStrokeParts(
+VTKNPRFILTERSSTROKES_EXPORT void WriteStrokeParts(
   vtkPolyData* input, const std::vector<std::vector<StrokePart>>& parts, vtkPolyData* output);
 }
 

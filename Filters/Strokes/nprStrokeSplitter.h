@@ -7,6 +7,7 @@
 #include "nprHidingLayers.h"
 #include "nprHidingSurfaces.h"
 #include "nprImageProjection.h"
+#include "nprStrokeParts.h"
 
 #include <Eigen/Core>
 
@@ -15,30 +16,6 @@
 
 namespace npr
 {
-/// A stretch of a stroke with one number of layers. Places on a stroke are the number of a point
-/// and what part of the way to the next has been gone. On a closed stroke a part that does not end
-/// after its begin goes over the first point.
-struct StrokePart
-{
-  /// The number of layers of what is not in the image: behind the eye, or no number.
-  static constexpr int Nowhere = -1;
-
-  int Layers = 0;
-  double Begin = 0.0;
-  double End = 0.0;
-  double Length = 0.0; // in the image, in pixels
-
-  bool IsOverFirstPoint() const { return this->End <= this->Begin; }
-};
-
-/// Parts shorter than \p least become part of their neighbours: the shortest first, if both
-/// neighbours are alike with both of them, else with the longer one (or the one that there is; of
-/// two as long, the one before). Hidden parts at the ends of open strokes stay. The last part of a
-/// closed stroke is a neighbour of its first.
-/// \p size is the number of segments of the stroke.
-std::vector<StrokePart> MergeParts(
-  std::vector<StrokePart> parts, double least, bool isClosed, std::size_t size);
-
 /**
  * @class StrokeSplitter
  * @brief Cuts strokes where their number of hiding layers changes. One object for each thread.

@@ -4,7 +4,7 @@
  * How much of the lines of a model is labelled visible or hidden wrongly, and what that costs:
  *
  *   nprVisibilityBenchmark [MODEL...] [--views N] [--runs N] [--jets] [--splines] [--no-oracle]
- *                          [--minimum PIXELS]
+ *                          [--minimum PIXELS] [--depth]
  *
  * Several models are one scene: each is scaled to the same size and put on a circle by a matrix of
  * its own, so that they hide one another. Without any the built-in sample is taken. Drawn are
@@ -18,11 +18,14 @@
  * the surfaces prepared anew, for a new view, and for one that only tells visible from hidden, the
  * least of several runs (--runs; 3) with two threads. What is right is said by
  * nprtest::VisibilityOracle, every quarter of a pixel along the strokes. --minimum is the
- * length of the shortest parts that are kept; 0 keeps all.
+ * length of the shortest parts that are kept; 0 keeps all. --depth tries vtkNPRDepthVisibility
+ * instead, with the depth buffer of the same surfaces in a window twice as wide as it is high; the
+ * seconds are those of the picture, and of the filter.
  */
 #include "nprArrayNames.h"
 #include "nprBenchmarkCost.h"
 #include "nprBenchmarkViews.h"
+#include "nprDepthPicture.h"
 #include "nprVisibilityOracle.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLines.h"
@@ -42,6 +45,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 
 namespace
@@ -59,6 +63,7 @@ struct Arguments
   bool Splines = false;
   double Minimum = -1.0; // the filter's own
   bool NoOracle = false;
+  bool Depth = false;
 
   bool Read(int argc, char* argv[])
   {
@@ -81,7 +86,7 @@ struct Arguments
         this->Runs = std::max(1, std::atoi(argv[++i]));
       }
       else if (is("--jets", this->Jets) || is("--splines", this->Splines) ||
-        is("--no-oracle", this->NoOracle))
+        is("--no-oracle", this->NoOracle) || is("--depth", this->Depth))
       {
         continue;
       }
@@ -335,6 +340,24 @@ vtkSmartPointer<vtkNPRStrokeVisibility> MakeFilter(
   return filter;
 }
 
+/// What vtkNPRDepthVisibility says, and the seconds that the picture and the filter take.
+vtkPolyData* LabelByDepth(DepthPicture& picture, const Arguments& arguments, vtkPolyData* strokes,
+  vtkCamera* camera, Row& row)
+{
+  row.NewView = Measure(arguments.Runs, [&]() { picture.Render(camera); }).Wall;
+  vtkNPRDepthVisibility* const filter = picture.GetFilter();
+  filter->SetInputData(strokes);
+  filter->SetMinimumLength(
+    arguments.Minimum < 0.0 ? filter->GetMinimumLength() : arguments.Minimum);
+  row.VisibleOnly = Measure(arguments.Runs,
+    [&]()
+    {
+      filter->Modified();
+      filter->Update();
+    }).Wall;
+  return filter->GetOutput();
+}
+
 void PrintStages(vtkNPRStrokeVisibility* filter)
 {
   for (int stage = 0; stage < vtkNPRStrokeVisibility::NumberOfStages; ++stage)
@@ -343,6 +366,42 @@ void PrintStages(vtkNPRStrokeVisibility* filter)
       " %s %.3f", vtkNPRStrokeVisibility::GetStageName(stage), filter->GetStageSeconds(stage));
   }
   std::printf("\n");
+}
+
+/// What vtkNPRStrokeVisibility says. `kept` has prepared the surfaces after the first call.
+vtkPolyData* LabelBySurfaces(const Actors& actors, const Arguments& arguments, vtkPolyData* strokes,
+  vtkCamera* camera, vtkSmartPointer<vtkNPRStrokeVisibility>& kept, double& megabytes, Row& row)
+{
+  vtkSmartPointer<vtkNPRStrokeVisibility> filter;
+  if (!kept)
+  {
+    ForgetPeak();
+    const double before = ReadMegabytes("VmRSS");
+    MakeFilter(actors, strokes, camera, arguments.Minimum)->Update();
+    megabytes = ReadMegabytes("VmHWM") - before;
+    kept = MakeFilter(actors, strokes, camera, arguments.Minimum);
+    kept->Update();
+    PrintStages(kept);
+  }
+  row.First = Measure(arguments.Runs,
+    [&]()
+    {
+      filter = MakeFilter(actors, strokes, camera, arguments.Minimum);
+      filter->Update();
+    }).Wall;
+  kept->SetInputData(strokes);
+  kept->SetCamera(camera);
+  for (const bool visibleOnly : { true, false })
+  {
+    kept->SetMaximumLayers(visibleOnly ? vtkNPRStrokeVisibility::VISIBLE_ONLY : VTK_INT_MAX);
+    (visibleOnly ? row.VisibleOnly : row.NewView) = Measure(arguments.Runs,
+      [&]()
+      {
+        kept->Modified();
+        kept->Update();
+      }).Wall;
+  }
+  return kept->GetOutput();
 }
 }
 
@@ -354,7 +413,7 @@ int main(int argc, char* argv[])
   {
     std::fprintf(stderr,
       "usage: nprVisibilityBenchmark [MODEL...] [--views N] [--runs N] [--jets] [--splines]\n"
-      "                              [--no-oracle] [--minimum PIXELS]\n");
+      "                              [--no-oracle] [--minimum PIXELS] [--depth]\n");
     return EXIT_FAILURE;
   }
   if (arguments.Models.empty())
@@ -389,6 +448,15 @@ int main(int argc, char* argv[])
     "longest wrong", "under 5 px", "seconds");
   std::printf("%-12s %8s %8s %8s %8s %7s %7s %6s %6s %8s %8s %8s\n", "", "", "visible", "hidden",
     "layers", "visible", "hidden", "parts", "before", "first", "view", "visible");
+  std::unique_ptr<DepthPicture> picture;
+  if (arguments.Depth)
+  {
+    picture = std::make_unique<DepthPicture>(static_cast<int>(Height));
+    for (const auto& actor : actors)
+    {
+      picture->AddSurface(actor->Data, actor->Matrix);
+    }
+  }
   Row all;
   double megabytes = 0.0;
   vtkSmartPointer<vtkNPRStrokeVisibility> kept;
@@ -402,43 +470,14 @@ int main(int argc, char* argv[])
     }
     const Surface strokes = MakeStrokes(actors, camera, arguments.Splines);
     Row row;
-    vtkSmartPointer<vtkNPRStrokeVisibility> filter;
-    if (!kept)
-    {
-      ForgetPeak();
-      const double before = ReadMegabytes("VmRSS");
-      MakeFilter(actors, strokes, camera, arguments.Minimum)->Update();
-      megabytes = ReadMegabytes("VmHWM") - before;
-      kept = MakeFilter(actors, strokes, camera, arguments.Minimum);
-      kept->Update();
-    }
-    row.First = Measure(arguments.Runs,
-      [&]()
-      {
-        filter = MakeFilter(actors, strokes, camera, arguments.Minimum);
-        filter->Update();
-      }).Wall;
-    if (view == 0)
-    {
-      PrintStages(filter);
-    }
-    kept->SetInputData(strokes);
-    kept->SetCamera(camera);
-    for (const bool visibleOnly : { true, false })
-    {
-      kept->SetMaximumLayers(visibleOnly ? vtkNPRStrokeVisibility::VISIBLE_ONLY : VTK_INT_MAX);
-      (visibleOnly ? row.VisibleOnly : row.NewView) = Measure(arguments.Runs,
-        [&]()
-        {
-          kept->Modified();
-          kept->Update();
-        }).Wall;
-    }
+    vtkPolyData* const labelled = picture
+      ? LabelByDepth(*picture, arguments, strokes, camera, row)
+      : LabelBySurfaces(actors, arguments, strokes, camera, kept, megabytes, row);
     if (!arguments.NoOracle)
     {
       oracle.SetView(camera, Height);
-      row.Wrong = CompareWithOracle(kept->GetOutput(), oracle);
-      row.Fragments = CountFragments(kept->GetOutput(), oracle);
+      row.Wrong = CompareWithOracle(labelled, oracle);
+      row.Fragments = CountFragments(labelled, oracle);
       row.Strokes = CountFragments(strokes, oracle);
     }
     PrintRow(
