@@ -63,7 +63,7 @@ struct StrokeStyle
   double Overshoot = 0.0;
   double Wobble = 0.0;
   double WobbleLength = 60.0;
-  double BendReach = 20.0; ///< what bends within less is no bend, and so for shade
+  double BendReach = 20.0;     ///< what bends within less is no bend, and so for shade
   double IsophoteLevel = -0.5; ///< -1..1, the cosine of normal and light up to which it is dark
   int Seed = 0;
   std::vector<TermStyle> WidthBy;

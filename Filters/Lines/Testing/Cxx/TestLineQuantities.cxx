@@ -70,8 +70,7 @@ void TestLinearArrays(Checks& check)
   }
   filter->Update();
   vtkPolyData* const lines = filter->GetOutput();
-  check(lines->GetNumberOfPoints() > 400, "lines to look at",
-    double(lines->GetNumberOfPoints()));
+  check(lines->GetNumberOfPoints() > 400, "lines to look at", double(lines->GetNumberOfPoints()));
   const auto place = [](const Vector& p, const double* value)
   { return (Vector(value) - p).norm(); };
   check(GetLargest(lines, "Height",
