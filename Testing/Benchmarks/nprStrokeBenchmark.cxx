@@ -4,7 +4,8 @@
 // run:
 //   nprStrokeBenchmark [MODEL]
 // A million points in strokes over the whole picture; and the contours and suggestive contours of
-// the model. "Untested": without the test against depth. The empty picture is taken off.
+// the model. "Untested": without the test against depth. The empty picture is taken off. Processor:
+// the time of all threads, which tells less of what else the machine does.
 #include "nprBenchmarkCost.h"
 #include "nprBenchmarkModel.h"
 #include "vtkNPRCurvatureTensor.h"
@@ -21,6 +22,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -28,6 +30,7 @@
 namespace
 {
 constexpr double Width = 2.0;
+constexpr int Rounds = 9;
 
 /// Spirals on a sphere, of a thousand points each.
 vtkSmartPointer<vtkPolyData> MakeSpirals(int count)
@@ -78,19 +81,6 @@ public:
     return actor;
   }
 
-  /// A frame from another viewpoint; the data stay what they are.
-  double MeasureFrame()
-  {
-    return nprbench::Measure(7,
-      [&]()
-      {
-        this->Renderer->GetActiveCamera()->Azimuth(1.0);
-        this->Window->Render();
-        this->Window->WaitForCompletion();
-      })
-      .Wall;
-  }
-
   void Compare(const char* what, vtkPolyData* data)
   {
     vtkNew<vtkNPRStrokeMapper> strokeMapper;
@@ -105,20 +95,47 @@ public:
       actor->GetProperty()->LightingOff();
     }
     this->Renderer->ResetCamera();
-    const auto measure = [&](bool withStrokes, bool withLines)
+    struct Case
     {
-      strokes->SetVisibility(withStrokes);
-      lines->SetVisibility(withLines);
-      this->Window->Render(); // uploads
-      return 1e3 * this->MeasureFrame();
+      bool Strokes;
+      bool Lines;
+      bool Tested;
+      nprbench::Cost Least;
     };
-    const double none = measure(false, false);
-    const double theirs = measure(false, true) - none;
-    const double ours = measure(true, false) - none;
-    strokeMapper->SetDepthTest(false);
-    const double untested = measure(true, false) - none;
-    std::printf("%-26s %8lld %8.1f %8.1f %7.2f %10.1f\n", what,
-      static_cast<long long>(data->GetNumberOfPoints()), theirs, ours, ours / theirs, untested);
+    Case nothing = { false, false, true, {} };
+    Case theirs = { false, true, true, {} };
+    Case ours = { true, false, true, {} };
+    Case untested = { true, false, false, {} };
+    // In turn, so that what else the machine does falls on all of them.
+    for (int round = 0; round < Rounds; ++round)
+    {
+      for (Case* which : { &nothing, &theirs, &ours, &untested })
+      {
+        strokes->SetVisibility(which->Strokes);
+        lines->SetVisibility(which->Lines);
+        strokeMapper->SetDepthTest(which->Tested);
+        // A frame from another viewpoint; the data stay what they are.
+        const nprbench::Cost cost = nprbench::Measure(1,
+          [&]()
+          {
+            this->Renderer->GetActiveCamera()->Azimuth(1.0);
+            this->Window->Render();
+            this->Window->WaitForCompletion();
+          });
+        which->Least.Wall = std::min(which->Least.Wall, cost.Wall);
+        which->Least.Processor = std::min(which->Least.Processor, cost.Processor);
+      }
+    }
+    const auto print = [&](const char* clock, double nprbench::Cost::*time)
+    {
+      const auto get = [&](const Case& which)
+      { return 1e3 * (which.Least.*time - nothing.Least.*time); };
+      std::printf("%-20s %-10s %8lld %8.1f %8.1f %7.2f %9.1f %7.2f\n", what, clock,
+        static_cast<long long>(data->GetNumberOfPoints()), get(theirs), get(ours),
+        get(ours) / get(theirs), get(untested), get(untested) / get(theirs));
+    };
+    print("wall", &nprbench::Cost::Wall);
+    print("processor", &nprbench::Cost::Processor);
     this->Renderer->RemoveActor(strokes);
     this->Renderer->RemoveActor(lines);
   }
@@ -132,7 +149,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   std::printf("milliseconds of a frame, 820x700, width %g\n", Width);
-  std::printf("%-26s %8s %8s %8s %7s %10s\n", "", "points", "VTK", "strokes", "ratio", "untested");
+  std::printf("%-20s %-10s %8s %8s %8s %7s %9s %7s\n", "", "clock", "points", "VTK", "strokes",
+    "ratio", "untested", "ratio");
   Scene spirals;
   spirals.Compare("spirals", MakeSpirals(1000));
   if (argc < 2)
