@@ -46,20 +46,99 @@ bool IsFinite(const Position& x)
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
+/// From whether a point is finite to what it is on its stroke. A neighbour stands before the first
+/// and after the last record of a closed stroke.
+void SetKinds(
+  StrokeRecord* begin, StrokeRecord* end, bool closed, int base, const StrokeTolerance& tolerance)
+{
+  bool before = closed;
+  bool steepBefore = closed && IsSteep(*(begin - 1), *begin, tolerance);
+  for (StrokeRecord* record = begin; record != end; ++record)
+  {
+    const bool finite = record->Kind != 0.0f;
+    const bool isLast = record + 1 == end;
+    const bool after = isLast ? closed : (record + 1)->Kind != 0.0f;
+    const bool steepAfter = after && IsSteep(*record, *(record + 1), tolerance);
+    record->Kind =
+      static_cast<float>(finite ? base + (!isLast && after ? Drawn : 0) + (before ? HasBefore : 0) +
+            (after ? HasAfter : 0) + (steepBefore || steepAfter ? Steep : 0)
+                                : 0);
+    before = finite;
+    steepBefore = steepAfter;
+  }
+}
+
 /// Writes records of strokes.
 class RecordWriter
 {
 public:
-  RecordWriter(vtkPolyData* strokes, const Position& origin)
-    : Points(strokes->GetPoints()), Origin(origin), Widths(GetPointScalars(strokes, names::Width)),
+  /// What is needed for one line after another.
+  struct Scratch
+  {
+    vtkNew<vtkIdList> Ids;
+    std::vector<StrokeRecord> Records;
+    std::vector<unsigned char> Colors;
+    std::vector<std::size_t> Kept;
+  };
+
+  RecordWriter(vtkPolyData* strokes, const Position& origin, vtkUnsignedCharArray* colors,
+    bool ofCells, const StrokeTolerance& tolerance)
+    : Strokes(strokes), Points(strokes->GetPoints()), Origin(origin),
+      Widths(GetPointScalars(strokes, names::Width)),
       Strengths(GetPointScalars(strokes, names::Strength)),
       Opacities(GetPointScalars(strokes, names::Opacity)),
-      ArcLengths(GetPointScalars(strokes, names::ArcLength))
+      ArcLengths(GetPointScalars(strokes, names::ArcLength)),
+      Layers(strokes->GetCellData()->GetArray(names::HidingLayers)), Colors(colors),
+      ColorsOfCells(ofCells), Tolerance(tolerance)
   {
+    if (this->Layers && this->Layers->GetNumberOfTuples() != strokes->GetNumberOfCells())
+    {
+      this->Layers = nullptr;
+    }
   }
 
   bool HasWidths() const { return this->Widths != nullptr; }
 
+  /// The records of a line that are needed, and their colours. @returns how many
+  std::ptrdiff_t WriteLine(
+    vtkIdType line, Scratch& scratch, StrokeRecord* to, unsigned char* toColors) const
+  {
+    this->Strokes->GetLines()->GetCellAtId(line, scratch.Ids);
+    const bool closed = this->IsClosed(scratch.Ids);
+    this->Write(scratch.Ids, scratch.Records);
+    this->WriteColors(line, scratch);
+    std::vector<std::size_t>& kept = scratch.Kept;
+    SimplifyStroke(
+      scratch.Records, this->Colors ? scratch.Colors.data() : nullptr, this->Tolerance, kept);
+    if (closed)
+    {
+      // The neighbours of the seam.
+      kept.insert(kept.begin(), kept[kept.size() - 2]);
+      kept.push_back(kept[2]);
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i)
+    {
+      to[i] = scratch.Records[kept[i]];
+      if (this->Colors)
+      {
+        std::copy_n(&scratch.Colors[4 * kept[i]], 4, toColors + 4 * i);
+      }
+    }
+    const bool hidden =
+      this->Layers && this->Layers->GetComponent(this->Strokes->GetNumberOfVerts() + line, 0) > 0.0;
+    StrokeRecord* const end = to + kept.size();
+    const int extra = closed ? 1 : 0;
+    SetKinds(to + extra, end - extra, closed,
+      StrokeNumber * static_cast<int>(line % MostStrokeNumbers) + (hidden ? Hidden : 0),
+      this->Tolerance);
+    if (closed)
+    {
+      to->Kind = (end - 1)->Kind = 0.0f;
+    }
+    return end - to;
+  }
+
+private:
   Position GetPoint(vtkIdType id) const
   {
     Position x;
@@ -75,64 +154,107 @@ public:
       this->GetPoint(ids->GetId(0)) == this->GetPoint(ids->GetId(size - 1));
   }
 
-  /// The points of a line, without kinds. @returns the record after the last
-  StrokeRecord* Write(vtkIdList* ids, StrokeRecord* record) const
+  /// All points of a line, without kinds.
+  void Write(vtkIdList* ids, std::vector<StrokeRecord>& records) const
   {
+    records.resize(ids->GetNumberOfIds());
     double measured = 0.0;
     Position last;
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i, ++record)
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
     {
+      StrokeRecord& record = records[i];
       const vtkIdType id = ids->GetId(i);
       const Position x = this->GetPoint(id);
       const bool finite = IsFinite(x);
       for (int c = 0; c < 3; ++c)
       {
-        record->Position[c] = finite ? static_cast<float>(x[c] - this->Origin[c]) : 0.0f;
+        record.Position[c] = finite ? static_cast<float>(x[c] - this->Origin[c]) : 0.0f;
       }
-      record->Width = GetFactor(this->Widths, id);
-      record->Strength = GetFactor(this->Strengths, id);
-      record->Opacity = std::min(GetFactor(this->Opacities, id), 1.0f);
+      record.Width = GetFactor(this->Widths, id);
+      record.Strength = GetFactor(this->Strengths, id);
+      record.Opacity = std::min(GetFactor(this->Opacities, id), 1.0f);
       if (i > 0)
       {
         const double step = std::sqrt(vtkMath::Distance2BetweenPoints(x.data(), last.data()));
         measured += std::isfinite(step) ? step : 0.0;
       }
       last = x;
-      record->ArcLength =
+      record.ArcLength =
         this->ArcLengths ? GetFactor(this->ArcLengths, id) : static_cast<float>(measured);
-      record->Kind = finite ? 1.0f : 0.0f;
+      record.Kind = finite ? 1.0f : 0.0f;
     }
-    return record;
   }
 
-private:
+  void WriteColors(vtkIdType line, Scratch& scratch) const
+  {
+    if (this->Colors)
+    {
+      const vtkIdType size = scratch.Ids->GetNumberOfIds();
+      scratch.Colors.resize(4 * size);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        const vtkIdType from =
+          this->ColorsOfCells ? this->Strokes->GetNumberOfVerts() + line : scratch.Ids->GetId(i);
+        this->Colors->GetTypedTuple(from, &scratch.Colors[4 * i]);
+      }
+    }
+  }
+
+  vtkPolyData* Strokes;
   vtkPoints* Points;
   Position Origin;
   vtkDataArray* Widths;
   vtkDataArray* Strengths;
   vtkDataArray* Opacities;
   vtkDataArray* ArcLengths;
+  vtkDataArray* Layers;
+  vtkUnsignedCharArray* Colors;
+  bool ColorsOfCells;
+  const StrokeTolerance& Tolerance;
 };
 
-/// From whether a point is finite to what it is on its stroke. A neighbour stands before the first
-/// and after the last record of a closed stroke.
-void SetKinds(StrokeRecord* begin, StrokeRecord* end, bool closed, int base)
+/// Takes the room out that lines were given for records that were not needed.
+void MoveTogether(StrokeRecords& strokes, const std::vector<std::ptrdiff_t>& room,
+  const std::vector<std::ptrdiff_t>& counts)
 {
-  bool before = closed;
-  for (StrokeRecord* record = begin; record != end; ++record)
+  const bool colored = !strokes.Colors.empty();
+  strokes.Begins.assign(room.size(), 0);
+  for (std::size_t i = 0; i < counts.size(); ++i)
   {
-    const bool finite = record->Kind != 0.0f;
-    const bool isLast = record + 1 == end;
-    const bool after = isLast ? closed : (record + 1)->Kind != 0.0f;
-    record->Kind = static_cast<float>(finite
-        ? base + (!isLast && after ? Drawn : 0) + (before ? HasBefore : 0) + (after ? HasAfter : 0)
-        : 0);
-    before = finite;
+    const std::ptrdiff_t to = strokes.Begins[i];
+    std::copy_n(strokes.Records.begin() + room[i], counts[i], strokes.Records.begin() + to);
+    if (colored)
+    {
+      std::copy_n(
+        strokes.Colors.begin() + 4 * room[i], 4 * counts[i], strokes.Colors.begin() + 4 * to);
+    }
+    strokes.Begins[i + 1] = to + counts[i];
   }
+  strokes.Records.resize(strokes.Begins.back());
+  strokes.Records.shrink_to_fit();
+  strokes.Colors.resize(colored ? 4 * strokes.Begins.back() : 0);
+}
+
+/// The bounds of the points that are finite.
+vtkBoundingBox FindBounds(vtkPoints* points)
+{
+  vtkBoundingBox box;
+  Position point;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    points->GetPoint(i, point.data());
+    if (IsFinite(point))
+    {
+      box.AddPoint(point.data());
+    }
+  }
+  return box;
 }
 }
 
-StrokeRecords MakeStrokeRecords(vtkPolyData* strokes)
+//------------------------------------------------------------------------------
+StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells,
+  const StrokeTolerance& tolerance)
 {
   StrokeRecords result;
   vtkCellArray* lines = strokes->GetLines();
@@ -142,56 +264,39 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes)
   {
     return result;
   }
-  vtkBoundingBox box;
-  double point[3];
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    points->GetPoint(i, point);
-    if (std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]))
-    {
-      box.AddPoint(point);
-    }
-  }
+  const vtkBoundingBox box = FindBounds(points);
   if (!box.IsValid())
   {
     return result;
   }
   box.GetCenter(result.Origin.data());
+  box.GetLengths(result.HalfSize.data());
+  for (double& size : result.HalfSize)
+  {
+    size *= 0.5;
+  }
 
-  const RecordWriter writer(strokes, result.Origin);
-  vtkDataArray* layers = strokes->GetCellData()->GetArray(names::HidingLayers);
-  layers = layers && layers->GetNumberOfTuples() == strokes->GetNumberOfCells() ? layers : nullptr;
-  result.Begins.assign(numberOfLines + 1, 0);
-  vtkNew<vtkIdList> line;
+  // Room for all points of each line, and for the neighbours of a seam.
+  std::vector<std::ptrdiff_t> room(numberOfLines + 1, 0);
   for (vtkIdType i = 0; i < numberOfLines; ++i)
   {
-    lines->GetCellAtId(i, line);
-    result.Begins[i + 1] =
-      result.Begins[i] + line->GetNumberOfIds() + (writer.IsClosed(line) ? 2 : 0);
+    room[i + 1] = room[i] + lines->GetCellSize(i) + 2;
   }
-  result.Records.resize(result.Begins.back());
+  result.Records.resize(room.back());
+  result.Colors.resize(colors ? 4 * room.back() : 0);
+  std::vector<std::ptrdiff_t> counts(numberOfLines, 0);
+  const RecordWriter writer(strokes, result.Origin, colors, ofCells, tolerance);
   vtkSMPTools::For(0, numberOfLines,
     [&](vtkIdType begin, vtkIdType end)
     {
-      vtkNew<vtkIdList> ids;
+      RecordWriter::Scratch scratch;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        lines->GetCellAtId(i, ids);
-        const bool closed = writer.IsClosed(ids);
-        const bool hidden =
-          layers && layers->GetComponent(strokes->GetNumberOfVerts() + i, 0) > 0.0;
-        StrokeRecord* const first = result.Records.data() + result.Begins[i] + (closed ? 1 : 0);
-        StrokeRecord* const last = writer.Write(ids, first);
-        SetKinds(first, last, closed,
-          StrokeNumber * static_cast<int>(i % MostStrokeNumbers) + (hidden ? Hidden : 0));
-        if (closed)
-        {
-          *(first - 1) = *(last - 2);
-          *last = *(first + 1);
-          (first - 1)->Kind = last->Kind = 0.0f;
-        }
+        counts[i] = writer.WriteLine(i, scratch, result.Records.data() + room[i],
+          colors ? result.Colors.data() + 4 * room[i] : nullptr);
       }
     });
+  MoveTogether(result, room, counts);
   if (writer.HasWidths())
   {
     result.MaximumWidth = 0;
@@ -201,31 +306,6 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes)
     }
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-std::vector<unsigned char> OrderColors(
-  const StrokeRecords& records, vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells)
-{
-  std::vector<unsigned char> ordered(4 * records.Records.size());
-  const vtkIdType firstLine = strokes->GetNumberOfVerts();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(records.Begins.size()) - 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkNew<vtkIdList> ids;
-      for (vtkIdType line = begin; line < end; ++line)
-      {
-        strokes->GetLines()->GetCellAtId(line, ids);
-        const vtkIdType size = ids->GetNumberOfIds();
-        const std::ptrdiff_t extra = records.Begins[line + 1] - records.Begins[line] - size;
-        unsigned char* to = ordered.data() + 4 * (records.Begins[line] + extra / 2);
-        for (vtkIdType i = 0; i < size; ++i, to += 4)
-        {
-          colors->GetTypedTuple(ofCells ? firstLine + line : ids->GetId(i), to);
-        }
-      }
-    });
-  return ordered;
 }
 
 //------------------------------------------------------------------------------
@@ -245,6 +325,43 @@ std::vector<unsigned char> NumberCells(const StrokeRecords& records, std::ptrdif
     }
   }
   return cells;
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 4> FindInkBounds(
+  const StrokeRecords& records, vtkMatrix4x4* toDevice, const float viewportSize[2], double reach)
+{
+  double low[2] = { viewportSize[0], viewportSize[1] };
+  double high[2] = { 0.0, 0.0 };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double clip[4];
+    for (int c = 0; c < 4; ++c)
+    {
+      clip[c] = toDevice->GetElement(3, c);
+      for (int i = 0; i < 3; ++i)
+      {
+        const double place = ((corner >> i) & 1) != 0 ? records.HalfSize[i] : -records.HalfSize[i];
+        clip[c] += place * toDevice->GetElement(i, c);
+      }
+    }
+    for (int c = 0; c < 2; ++c)
+    {
+      const double pixel = viewportSize[c] * (0.5 * clip[c] / clip[3] + 0.5);
+      // What reaches behind the eye may be anywhere.
+      low[c] = clip[3] > 0.0 ? std::min(low[c], pixel - reach) : 0.0;
+      high[c] = clip[3] > 0.0 ? std::max(high[c], pixel + reach) : viewportSize[c];
+    }
+  }
+  std::array<int, 4> bounds;
+  for (int c = 0; c < 2; ++c)
+  {
+    const double first = std::floor(std::max(low[c], 0.0));
+    const double end = std::ceil(std::min(high[c], static_cast<double>(viewportSize[c])));
+    bounds[c] = static_cast<int>(first);
+    bounds[2 + c] = static_cast<int>(std::max(end - first, 0.0));
+  }
+  return bounds;
 }
 
 //------------------------------------------------------------------------------

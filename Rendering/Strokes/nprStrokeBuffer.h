@@ -3,6 +3,7 @@
 #ifndef nprStrokeBuffer_h
 #define nprStrokeBuffer_h
 
+#include "nprStrokeSimplification.h"
 #include "nprVTKCompat.h"
 
 #include <array>
@@ -24,7 +25,8 @@ enum StrokeKind
   HasBefore = 2, // the record before is the neighbour on the stroke
   HasAfter = 4,  // the record after is it
   Hidden = 8,    // by a surface, as HidingLayers says
-  StrokeNumber = 16
+  Steep = 16,    // next to a segment that soon gets wider, thinner or fainter
+  StrokeNumber = 32
 };
 /// Numbers of strokes begin again here: a float holds every Kind.
 constexpr int MostStrokeNumbers = 1 << 19;
@@ -45,22 +47,36 @@ struct StrokeRecords
   std::vector<StrokeRecord> Records;
   // The centre of the bounds, taken off in double precision: nothing is lost far from the origin.
   std::array<double, 3> Origin = { 0, 0, 0 };
+  std::array<double, 3> HalfSize = { 0, 0, 0 }; // of the bounds
   float MaximumWidth = 1;
   // The first record of each stroke, and the end of all.
   std::vector<std::ptrdiff_t> Begins;
+  // The colours of the records, four numbers each; empty: none.
+  std::vector<unsigned char> Colors;
 };
 
-/// Lays the lines of strokes out one after another; closed ones with the neighbours of their seam
-/// before and after them. Segments with a point that is not finite are left out.
-StrokeRecords MakeStrokeRecords(vtkPolyData* strokes);
-
-/// The colours of the records, four numbers each, from those of points or of cells.
-std::vector<unsigned char> OrderColors(
-  const StrokeRecords& records, vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells);
+/**
+ * Lays the lines of strokes out one after another; closed ones with the neighbours of their seam
+ * before and after them. Segments with a point that is not finite are left out, and so are points
+ * without which strokes look the same.
+ *
+ * @param colors four numbers for each point, or for each cell; null: none
+ */
+StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells,
+  const StrokeTolerance& tolerance);
 
 /// The number of the cell that each record belongs to, by bytes, the lowest first; for lines that
 /// come after other cells.
 std::vector<unsigned char> NumberCells(const StrokeRecords& records, std::ptrdiff_t otherCells);
+
+/**
+ * The pixels of a viewport that strokes may be drawn to, so far around their axes: x, y, width and
+ * height.
+ *
+ * @param toDevice from the records to clip coordinates, transposed as VTK hands it to shaders
+ */
+std::array<int, 4> FindInkBounds(
+  const StrokeRecords& records, vtkMatrix4x4* toDevice, const float viewportSize[2], double reach);
 
 /**
  * How far along its stroke each record is in the picture, in pixels.

@@ -11,11 +11,40 @@
 #include <vtkPolyData.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
 namespace npr
 {
+namespace
+{
+// Points left out are left out for views a little nearer, too.
+constexpr float Reserve = 0.67f;
+// Once a view has been so much farther for some frames, more are left out. Not at once: several
+// viewports may draw the same strokes.
+constexpr float MostDetail = 0.25f;
+constexpr int MostFramesTooFine = 10;
+
+// As many as two bytes can number the vertices of.
+constexpr std::ptrdiff_t SegmentsAtOnce = 16384;
+
+/// The two triangles of each quad of four vertices.
+std::vector<unsigned short> MakeIndices()
+{
+  std::vector<unsigned short> indices;
+  indices.reserve(6 * SegmentsAtOnce);
+  for (std::ptrdiff_t segment = 0; segment < SegmentsAtOnce; ++segment)
+  {
+    for (const int corner : { 0, 1, 2, 3, 2, 1 })
+    {
+      indices.push_back(static_cast<unsigned short>(4 * segment + corner));
+    }
+  }
+  return indices;
+}
+}
+
 StrokeGraphics::StrokeGraphics() = default;
 
 StrokeGraphics::~StrokeGraphics()
@@ -48,6 +77,7 @@ void StrokeGraphics::Release()
   this->Layer.ReleaseGraphicsResources(this->Window);
   this->Picking.ReleaseGraphicsResources(this->Window);
   this->VertexArray->ReleaseGraphicsResources();
+  this->Indices->ReleaseGraphicsResources();
   this->Buffer->ReleaseGraphicsResources();
   this->BufferTexture->ReleaseGraphicsResources(this->Window);
   this->Lengths->ReleaseGraphicsResources();
@@ -65,13 +95,33 @@ void StrokeGraphics::Release()
 }
 
 //------------------------------------------------------------------------------
-void StrokeGraphics::Upload(vtkPolyData* input)
+bool StrokeGraphics::IsUpToDate(
+  vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed)
 {
-  if (this->UploadTime > input->GetMTime() && this->UploadedInput == input)
+  const vtkMTimeType changed =
+    std::max(input->GetMTime(), colors ? colors->GetMTime() : vtkMTimeType(0));
+  if (this->UploadTime < changed || this->UploadedInput != input ||
+    this->UploadedColors != colors || this->ColorsOfCells != ofCells ||
+    !needed.Allows(this->Tolerance))
+  {
+    return false;
+  }
+  const bool tooFine = this->Tolerance.Allows(needed.Scaled(MostDetail));
+  this->FramesTooFine = tooFine ? this->FramesTooFine + 1 : 0;
+  return this->FramesTooFine < MostFramesTooFine;
+}
+
+//------------------------------------------------------------------------------
+void StrokeGraphics::Upload(
+  vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed)
+{
+  if (this->IsUpToDate(input, colors, ofCells, needed))
   {
     return;
   }
-  this->Records = MakeStrokeRecords(input);
+  this->Tolerance = needed.Scaled(Reserve);
+  this->FramesTooFine = 0;
+  this->Records = MakeStrokeRecords(input, colors, ofCells, this->Tolerance);
   const std::vector<StrokeRecord>& records = this->Records.Records;
   this->NumberOfSegments = std::max<std::ptrdiff_t>(records.size(), 1) - 1;
   if (this->NumberOfSegments > 0)
@@ -82,24 +132,17 @@ void StrokeGraphics::Upload(vtkPolyData* input)
     this->BufferTexture->CreateTextureBuffer(
       static_cast<unsigned int>(size / 4), 4, VTK_FLOAT, this->Buffer);
   }
-  this->UploadedInput = input;
-  this->UploadTime.Modified();
-}
-
-//------------------------------------------------------------------------------
-void StrokeGraphics::UploadColors(vtkUnsignedCharArray* colors, bool ofCells)
-{
-  this->Colored = colors != nullptr && this->NumberOfSegments > 0;
-  if (!this->Colored)
+  if (this->HasColors())
   {
-    return;
+    this->Colors->Upload(this->Records.Colors, vtkOpenGLBufferObject::TextureBuffer);
+    this->ColorsTexture->SetContext(this->Window);
+    this->ColorsTexture->CreateTextureBuffer(
+      static_cast<unsigned int>(records.size()), 4, VTK_UNSIGNED_CHAR, this->Colors);
   }
-  const std::vector<unsigned char> ordered =
-    OrderColors(this->Records, this->UploadedInput, colors, ofCells);
-  this->Colors->Upload(ordered, vtkOpenGLBufferObject::TextureBuffer);
-  this->ColorsTexture->SetContext(this->Window);
-  this->ColorsTexture->CreateTextureBuffer(
-    static_cast<unsigned int>(ordered.size() / 4), 4, VTK_UNSIGNED_CHAR, this->Colors);
+  this->UploadedInput = input;
+  this->UploadedColors = colors;
+  this->ColorsOfCells = ofCells;
+  this->UploadTime.Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -144,7 +187,7 @@ void StrokeGraphics::Draw(
   {
     bind("nprPageLengths", this->LengthsTexture);
   }
-  if (this->Colored)
+  if (this->HasColors())
   {
     bind("nprColors", this->ColorsTexture);
   }
@@ -167,7 +210,18 @@ void StrokeGraphics::Draw(
     program->SetUniformi("nprDepthTexture", unused);
   }
   this->VertexArray->Bind(); // OpenGL wants one, even without attributes
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * this->NumberOfSegments));
+  if (this->Indices->GetHandle() == 0)
+  {
+    this->Indices->Upload(MakeIndices(), vtkOpenGLBufferObject::ElementArrayBuffer);
+  }
+  this->Indices->Bind();
+  for (std::ptrdiff_t first = 0; first < this->NumberOfSegments; first += SegmentsAtOnce)
+  {
+    const std::ptrdiff_t count = std::min(this->NumberOfSegments - first, SegmentsAtOnce);
+    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_SHORT,
+      nullptr, static_cast<GLint>(4 * first));
+  }
+  this->Indices->Release();
   this->VertexArray->Release();
   for (vtkTextureObject* texture : bound)
   {

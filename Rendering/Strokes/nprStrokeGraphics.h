@@ -49,12 +49,11 @@ public:
   void SetWindow(vtkOpenGLRenderWindow* window);
   void Release();
 
-  /// Brings the records up to date with the input.
-  void Upload(vtkPolyData* input);
-  /// Brings the colours up to date; null for none. They are four numbers for each point, or for
-  /// each cell.
-  void UploadColors(vtkUnsignedCharArray* colors, bool ofCells);
-  bool HasColors() const { return this->Colored; }
+  /// Brings the records up to date with the input, its colours (four numbers for each point, or for
+  /// each cell; null: none), and how near it is seen.
+  void Upload(
+    vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed);
+  bool HasColors() const { return !this->Records.Colors.empty(); }
   /// Brings the numbers of the cells that segments belong to up to date.
   void UploadCells();
   /// Measures how long strokes are on the page in this view.
@@ -73,16 +72,19 @@ public:
   std::unique_ptr<vtkOpenGLQuadHelper> Composite;
 
 private:
+  bool IsUpToDate(
+    vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed);
+
   vtkOpenGLRenderWindow* Window = nullptr;
   unsigned long WindowObserver = 0;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkNew<vtkOpenGLBufferObject> Indices;
   vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> BufferTexture;
   vtkNew<vtkOpenGLBufferObject> Lengths;
   vtkNew<vtkTextureObject> LengthsTexture;
   vtkNew<vtkOpenGLBufferObject> Colors;
   vtkNew<vtkTextureObject> ColorsTexture;
-  bool Colored = false;
   vtkNew<vtkOpenGLBufferObject> Cells;
   vtkNew<vtkTextureObject> CellsTexture;
   vtkTimeStamp CellsTime;
@@ -91,6 +93,10 @@ private:
   std::ptrdiff_t NumberOfSegments = 0;
   vtkTimeStamp UploadTime;
   vtkWeakPointer<vtkPolyData> UploadedInput;
+  vtkWeakPointer<vtkUnsignedCharArray> UploadedColors;
+  bool ColorsOfCells = false;
+  StrokeTolerance Tolerance;
+  int FramesTooFine = 0;
 };
 }
 

@@ -61,7 +61,8 @@ StorageFormat GetDepthFormat(unsigned int framebuffer)
 StrokeLayer::StrokeLayer() = default;
 StrokeLayer::~StrokeLayer() = default;
 
-bool StrokeLayer::CaptureDepth(vtkOpenGLRenderWindow* window, const int viewport[4])
+bool StrokeLayer::CaptureDepth(
+  vtkOpenGLRenderWindow* window, const int viewport[4], const std::array<int, 4>& bounds)
 {
   vtkOpenGLState* state = window->GetState();
   unsigned int source = 0;
@@ -101,8 +102,10 @@ bool StrokeLayer::CaptureDepth(vtkOpenGLRenderWindow* window, const int viewport
   }
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglBlitFramebuffer(viewport[0], viewport[1], viewport[0] + viewport[2],
-    viewport[1] + viewport[3], 0, 0, viewport[2], viewport[3], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  const int end[2] = { bounds[0] + bounds[2], bounds[1] + bounds[3] };
+  state->vtkglBlitFramebuffer(viewport[0] + bounds[0], viewport[1] + bounds[1],
+    viewport[0] + end[0], viewport[1] + end[1], bounds[0], bounds[1], end[0], end[1],
+    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   return true;
 }
 

@@ -7,6 +7,8 @@
 
 #include <vtkNew.h>
 
+#include <array>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
@@ -30,11 +32,14 @@ public:
   StrokeLayer();
   ~StrokeLayer();
 
-  /// Copies the depth of the bound draw framebuffer within the viewport (resolving samples).
+  /// Copies the depth of the bound draw framebuffer within bounds in the viewport (resolving
+  /// samples).
   /// Changes the bindings of framebuffers. False if that framebuffer has no depth.
-  bool CaptureDepth(vtkOpenGLRenderWindow* window, const int viewport[4]);
+  bool CaptureDepth(
+    vtkOpenGLRenderWindow* window, const int viewport[4], const std::array<int, 4>& bounds);
 
-  /// Binds the ink as the framebuffer to draw into, empty, as large as the viewport.
+  /// Binds the ink as the framebuffer to draw into, as large as the viewport, empty where the
+  /// scissor lets it be.
   void BindInk(vtkOpenGLRenderWindow* window, int width, int height, bool colored);
 
   vtkTextureObject* GetDepth() { return this->Depth; }

@@ -6,6 +6,7 @@
 #include "nprStrokeGraphics.h"
 #include "vtkNPRStrokeCompositeFS.h"
 #include "vtkNPRStrokeFS.h"
+#include "vtkNPRStrokeHiding.h"
 #include "vtkNPRStrokeStyledFS.h"
 #include "vtkNPRStrokeStyledMainFS.h"
 #include "vtkNPRStrokeVS.h"
@@ -34,10 +35,14 @@
 #include <vtkTimerLog.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace
 {
+// Of axes and edges that are drawn with fewer points, pixels.
+constexpr double MaximumError = 0.0625;
+
 /// How VTK's translucent pass, if any, wants its colours.
 enum class Translucency
 {
@@ -118,15 +123,14 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   timer->StartTimer();
 
   this->Graphics->SetWindow(window);
-  this->Graphics->Upload(input);
+  this->MapScalars(1.0);
+  const bool hasColors = this->Colors && this->Colors->GetNumberOfComponents() == 4;
+  this->Graphics->Upload(input, hasColors ? this->Colors : nullptr,
+    hasColors && this->AreColorsOfCells(), this->GetTolerance(renderer, actor));
   if (this->Graphics->GetNumberOfSegments() == 0)
   {
     return;
   }
-  this->MapScalars(1.0);
-  const bool hasColors = this->Colors && this->Colors->GetNumberOfComponents() == 4;
-  const bool ofCells = hasColors && this->AreColorsOfCells();
-  this->Graphics->UploadColors(hasColors ? this->Colors : nullptr, ofCells);
   const Translucency translucency = GetTranslucency(actor);
   if (selector)
   {
@@ -144,6 +148,33 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   timer->StopTimer();
   this->TimeToDraw = std::max(timer->GetElapsedTime(), 1e-4); // zero would mean: not drawn
   this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+npr::StrokeTolerance vtkNPRStrokeMapper::GetTolerance(vtkRenderer* renderer, vtkActor* actor)
+{
+  // Joins other than round ones look longer than round ones where points are left out.
+  const double pixels = this->IsStyled() ? 0.25 * MaximumError : MaximumError;
+  const double pixel =
+    npr::FindSmallestPixel(renderer, actor->GetMatrix(), this->GetInput()->GetBounds());
+  const double width = this->WidthUnit == WORLD && pixel > 0.0 ? this->Width / pixel : this->Width;
+  npr::StrokeTolerance tolerance;
+  tolerance.Length = static_cast<float>(pixels * pixel);
+  const float factor = static_cast<float>(2.0 * pixels / width);
+  constexpr float tone = 1.0f / 256.0f;
+  if (this->UseWidthArray)
+  {
+    tolerance.Width = factor;
+  }
+  if (this->UseOpacityArray)
+  {
+    tolerance.Opacity = tone;
+  }
+  if (this->StrengthToWidth || this->StrengthToOpacity)
+  {
+    tolerance.Strength = this->StrengthToOpacity ? std::min(factor, tone) : factor;
+  }
+  return tolerance;
 }
 
 //------------------------------------------------------------------------------
@@ -166,8 +197,17 @@ void vtkNPRStrokeMapper::DrawStrokes(vtkRenderer* renderer, vtkActor* actor, boo
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
-  this->DrawInk(renderer, actor, program);
-  this->LayInkOver(actor, orderIndependent);
+  const std::array<int, 4> drawn = this->DrawInk(renderer, actor, program);
+  if (drawn[2] > 0 && drawn[3] > 0)
+  {
+    int viewport[4];
+    state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+    vtkOpenGLState::ScopedglScissor savedScissor(state);
+    vtkOpenGLState::ScopedglEnableDisable savedScissorTest(state, GL_SCISSOR_TEST);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(viewport[0] + drawn[0], viewport[1] + drawn[1], drawn[2], drawn[3]);
+    this->LayInkOver(actor, orderIndependent);
+  }
   vtkOpenGLCheckErrorMacro("failed after drawing strokes");
 }
 
@@ -198,6 +238,7 @@ vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram(const std::string& purpose)
   for (std::string* shader : { &vertex, &fragment })
   {
     vtkShaderProgram::Substitute(*shader, "//NPR::Variant::Dec", variant);
+    vtkShaderProgram::Substitute(*shader, "//NPR::Hiding::Dec", vtkNPRStrokeHiding);
   }
   vtkShaderProgram::Substitute(fragment, "//NPR::Styled::Dec", styled ? vtkNPRStrokeStyledFS : "");
   vtkShaderProgram::Substitute(
@@ -211,23 +252,31 @@ vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram(const std::string& purpose)
   return program;
 }
 
-void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program)
+std::array<int, 4> vtkNPRStrokeMapper::DrawInk(
+  vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program)
 {
   npr::StrokeGraphics& graphics = *this->Graphics;
   vtkOpenGLState* state = graphics.GetWindow()->GetState();
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const std::array<int, 4> bounds = this->SetUniforms(renderer, actor, program, viewport);
+  if (bounds[2] == 0 || bounds[3] == 0)
+  {
+    return bounds;
+  }
   state->PushFramebufferBindings();
   {
     vtkOpenGLState::ScopedglViewport savedViewport(state);
     vtkOpenGLState::ScopedglColorMask savedColorMask(state);
-    vtkOpenGLState::ScopedglEnableDisable savedScissor(state, GL_SCISSOR_TEST);
+    vtkOpenGLState::ScopedglScissor savedScissor(state);
+    vtkOpenGLState::ScopedglEnableDisable savedScissorTest(state, GL_SCISSOR_TEST);
     vtkOpenGLState::ScopedglEnableDisable savedStencil(state, GL_STENCIL_TEST);
-    state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglDisable(GL_STENCIL_TEST);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const bool depthTest =
-      this->DepthTest && graphics.Layer.CaptureDepth(graphics.GetWindow(), viewport);
+      this->DepthTest && graphics.Layer.CaptureDepth(graphics.GetWindow(), viewport, bounds);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(bounds[0], bounds[1], bounds[2], bounds[3]);
     state->vtkglViewport(0, 0, viewport[2], viewport[3]);
     vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
     vtkOpenGLState::ScopedglDepthFunc savedDepthFunc(state);
@@ -248,13 +297,13 @@ void vtkNPRStrokeMapper::DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShad
       state->vtkglBlendFunc(GL_ONE, GL_ONE);
     }
 
-    this->SetUniforms(renderer, actor, program, viewport);
     program->SetUniformi("nprDepthTest", depthTest);
     graphics.Draw(program, depthTest ? graphics.Layer.GetDepth() : nullptr, this->IsStyled());
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglBlendEquationSeparate(equations[0], equations[1]);
   }
   state->PopFramebufferBindings();
+  return bounds;
 }
 
 void vtkNPRStrokeMapper::LayInkOver(vtkActor* actor, bool orderIndependent)

@@ -14,11 +14,14 @@
  * strokes of the mapper are first drawn into a layer of their own that keeps the maximum, then laid
  * over the picture: where strokes cross or join, a translucent stroke is not darker.
  *
- * Whether a stroke is hidden by a surface is decided along its axis, and for its whole width
- * at once: the axis is visible unless it lies behind *all* of the surface within VisibilityRadius
- * by more than DepthTolerance. So lines on a surface and contours on its edge neither fight with
- * it nor break, however thick they are. A surface that is too near to be the stroke's own hides
- * it up to the surface's edge.
+ * Points without which the picture is the same to a sixteenth of a pixel are not drawn, as near as
+ * the camera is; they are sorted out when the input changes or the camera comes nearer.
+ *
+ * Whether a stroke is hidden by a surface is decided along its axis, for pieces of two pixels and
+ * for the whole width at once: the axis is visible unless it lies behind *all* of the surface
+ * within VisibilityRadius by more than DepthTolerance. So lines on a surface and contours on its
+ * edge neither fight with it nor break, however thick they are. A surface that is too near to be
+ * the stroke's own hides it up to the surface's edge.
  *
  * The mapper's clipping planes, up to six, cut the axes of strokes; where they do, a stroke ends
  * with a round cap as at any other end.
@@ -58,6 +61,7 @@
 #include <vtkPolyDataMapper.h>
 
 #include "nprVTKCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
+#include <array>
 #include <memory>
 #include <string>
 
@@ -69,6 +73,7 @@ VTK_ABI_NAMESPACE_END
 namespace npr
 {
 class StrokeGraphics;
+struct StrokeTolerance;
 struct PostponedStrokes;
 }
 #endif
@@ -322,10 +327,12 @@ private:
 
   bool IsStyled() const;
   bool AreColorsOfCells();
+  npr::StrokeTolerance GetTolerance(vtkRenderer* renderer, vtkActor* actor);
   vtkShaderProgram* ReadyProgram(const std::string& purpose);
   void DrawStrokes(vtkRenderer* renderer, vtkActor* actor, bool orderIndependent);
-  void DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
-  void SetUniforms(
+  // Return what was drawn to: x, y, width and height, within the viewport.
+  std::array<int, 4> DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
+  std::array<int, 4> SetUniforms(
     vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
   void SetStyleUniforms(vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
   void SetClippingUniforms(vtkActor* actor, vtkShaderProgram* program);

@@ -22,7 +22,7 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-void vtkNPRStrokeMapper::SetUniforms(
+std::array<int, 4> vtkNPRStrokeMapper::SetUniforms(
   vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4])
 {
   const npr::StrokeRecords& records = this->Graphics->GetRecords();
@@ -69,13 +69,14 @@ void vtkNPRStrokeMapper::SetUniforms(
     widest /= pixelScale * (camera->GetParallelProjection() ? 1.0 : camera->GetClippingRange()[0]);
   }
   const double mitre = this->Join == MITRE_JOIN ? this->MitreLimit : 1.0;
-  program->SetUniformf("nprGuard",
-    static_cast<float>(std::min(0.5 * widest * mitre, 4.0 * std::max(size[0], size[1])) + 2.0));
+  const double guard = std::min(0.5 * widest * mitre, 4.0 * std::max(size[0], size[1])) + 2.0;
+  program->SetUniformf("nprGuard", static_cast<float>(guard));
   const vtkBoundingBox box(actor->GetBounds());
   program->SetUniformf("nprTolerance", static_cast<float>(this->DepthTolerance));
   program->SetUniformf(
     "nprModelSize", static_cast<float>(box.IsValid() ? box.GetDiagonalLength() : 0.0));
   program->SetUniformf("nprVisibilityRadius", static_cast<float>(this->VisibilityRadius));
+  program->SetUniformi("nprVisibilitySamples", 17);
   program->SetUniformi("nprUseHidingLayers", this->UseHidingLayers);
   program->SetUniformf("nprHiddenOpacity", static_cast<float>(this->HiddenOpacity));
   if (this->IsStyled())
@@ -83,6 +84,7 @@ void vtkNPRStrokeMapper::SetUniforms(
     this->Graphics->UploadPageLengths(matrix, size);
     this->SetStyleUniforms(actor, program, viewport);
   }
+  return npr::FindInkBounds(records, matrix, size, std::max(guard, this->VisibilityRadius + 2.0));
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
   // SPDX-License-Identifier: BSD-3-Clause
   // Each end has a say; far from it, it has none.
   vec2 fromStart = vec2(-nprPlaceVSOut.x, -nprPlaceVSOut.y);
-  vec2 fromEnd = vec2(nprPlaceVSOut.x - nprSizeVSOut, nprPlaceVSOut.y);
+  vec2 fromEnd = vec2(nprPlaceVSOut.x - nprSizeVSOut.x, nprPlaceVSOut.y);
   coverage = min(endCoverage(fromStart, nprNeighboursVSOut.xy, radius, -axis),
     endCoverage(fromEnd, nprNeighboursVSOut.zw, radius, axis));
   if (coverage <= 0.0)
@@ -10,7 +10,7 @@
     discard;
   }
   vec2 lengths = mix(nprLengthsVSOut.xz, nprLengthsVSOut.yw, t);
-  float dashPixels = nprSizeVSOut / max(nprLengthsVSOut.w - nprLengthsVSOut.z, 1e-6);
+  float dashPixels = nprSizeVSOut.x / max(nprLengthsVSOut.w - nprLengthsVSOut.z, 1e-6);
   lengths += (nprPlaceVSOut.x - along) / vec2(1.0, dashPixels);
   float visibleDash =
     dashCoverage(nprDashes, lengths.y, dashPixels, nprPlaceVSOut.y, radius);

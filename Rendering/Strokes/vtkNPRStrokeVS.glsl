@@ -1,10 +1,11 @@
 //VTK::System::Dec
+#extension GL_ARB_texture_gather : enable
 //NPR::Variant::Dec
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Six vertices are one segment of a stroke: the two triangles of the quad around the capsule that
-// the fragment shader fills. The segment's ends are fetched by the number of the vertex, for software
+// Four vertices are one segment of a stroke: the quad around the capsule that the fragment shader
+// fills. The segment's ends are fetched by the number of the vertex, for software
 // renderers draw small instances slowly. Everything after the clipping is in pixels of the viewport.
 
 // Two texels a point: position (model coordinates, relative to the origin of the buffer) and width;
@@ -14,12 +15,12 @@ const int Drawn = 1;
 const int HasBefore = 2;
 const int HasAfter = 4;
 const int Hidden = 8;
-const int StrokeNumber = 16;
+const int Steep = 16;
+const int StrokeNumber = 32;
 
 uniform mat4 nprMCDCMatrix;
 uniform int nprNumberOfClippingPlanes;
 uniform vec4 nprClippingPlanes[6];     // in the coordinates of the records; what is positive stays
-uniform vec2 nprViewportSize;          // pixels
 uniform float nprWidth;                // pixels, or world units where the next is not 0
 uniform float nprWorldPixel;           // size of a pixel at clip coordinate w = 1, world units
 uniform int nprUseWidths;              // whether the points' widths multiply nprWidth
@@ -29,11 +30,24 @@ uniform float nprMinimumOpacityFactor; // of the opacity at strength 0
 uniform float nprGuard;                // pixels around the viewport that ink may come from
 
 flat out vec4 nprAxisVSOut;    // the first end, pixels; the unit direction to the other
-flat out float nprSizeVSOut;   // distance of the ends, pixels
-flat out vec2 nprDepthVSOut;   // both ends, normalised device coordinates
+flat out vec2 nprSizeVSOut;    // distance of the ends, pixels; its inverse
 flat out vec4 nprInkVSOut;     // both ends: radius in pixels, opacity
-flat out float nprHiddenVSOut; // 1 where HidingLayers says so
+flat out float nprVisibleVSOut; // as far as it is known here
 out vec2 nprPlaceVSOut;        // from the first end along and across the axis, pixels
+
+#ifndef NPR_UNTESTED
+uniform vec4 nprDepthProjection; // rows 2 and 3, columns 2 and 3 of the projection matrix
+uniform float nprPixelScale;     // size of a pixel at clip coordinate w = 1, world units
+uniform float nprTolerance;      // pixels
+uniform float nprModelSize;      // world units
+
+flat out vec3 nprStartLimitsVSOut; // of both ends, see depthLimits()
+flat out vec3 nprEndLimitsVSOut;
+#endif
+
+//NPR::Hiding::Dec
+uniform int nprUseHidingLayers;
+uniform float nprHiddenOpacity;
 
 #ifdef NPR_COLORED
 uniform samplerBuffer nprColors; // of the points
@@ -42,6 +56,7 @@ flat out vec4 nprEndColorVSOut;
 #endif
 
 #ifdef NPR_PICKED
+flat out vec2 nprDepthVSOut; // both ends, normalised device coordinates
 uniform samplerBuffer nprCells; // numbers of the segments' cells, by bytes
 flat out vec4 nprCellVSOut;
 #endif
@@ -57,16 +72,6 @@ flat out vec4 nprNeighboursVSOut; // directions into the segments before and aft
 flat out vec4 nprLengthsVSOut;    // both ends along the stroke: pixels, units of dashes
 flat out int nprStrokeVSOut;      // number of the stroke
 
-// The direction to a neighbour's far end, along a direction and to its left.
-vec2 neighbour(vec4 clip, vec2 from, vec2 axis)
-{
-  vec2 way = (0.5 * clip.xy / clip.w + 0.5) * nprViewportSize - from;
-  float size = length(way);
-  // Where it can not be seen, the stroke goes straight on.
-  way = clip.w > 0.0 && size > 1e-3 ? way / size : axis;
-  return vec2(dot(way, axis), axis.x * way.y - axis.y * way.x);
-}
-
 // How far beyond its end a segment has ink, pixels, by the direction into its neighbour.
 float reachBeyond(vec2 next, float radius)
 {
@@ -77,6 +82,34 @@ float reachBeyond(vec2 next, float radius)
   return next.x > NPR_COSINE_OF_CORNER ? 1.0 + 0.2 * radius : 0.71 + nprMitreReach * radius;
 }
 #endif
+
+// Where the direction of a neighbour can not be told.
+#ifdef NPR_STYLED
+const vec2 Untold = vec2(1.0, 0.0); // the stroke goes straight on
+#else
+const vec2 Untold = vec2(0.0); // a round cap covers every join
+#endif
+
+// The direction to a neighbour's far end, along a direction and to its left; and how far it is.
+vec3 neighbour(vec4 clip, vec2 from, vec2 axis)
+{
+  vec2 way = (0.5 * clip.xy / clip.w + 0.5) * nprViewportSize - from;
+  float size = length(way);
+  way /= max(size, 1e-3);
+  return clip.w > 0.0 && size > 1e-3
+    ? vec3(dot(way, axis), axis.x * way.y - axis.y * way.x, size) : vec3(Untold, 0.0);
+}
+
+// How far beyond its end a segment is drawn at a distance to the left, pixels. Where the stroke
+// goes on, turns little, and the cut does not pass the other end of the shorter segment (`size`),
+// each segment has the part of the joint that is nearer to it; with a little over, for the edges of
+// both are rounded each in its own way. Not where a wide or dark end reaches beyond the points of a
+// thin or faint neighbour.
+float cut(int kind, vec2 next, float left, float size)
+{
+  float beyond = -left * next.y / (1.0 + next.x);
+  return (kind & Steep) == 0 && next.x > 0.0 && abs(beyond) < size ? beyond + 0.1 : abs(left);
+}
 
 // Keeps the part [range.x, range.y] of the segment on the positive side of a plane.
 void clip(float start, float end, inout vec2 range)
@@ -95,6 +128,42 @@ void clip(float start, float end, inout vec2 range)
   }
 }
 
+#ifndef NPR_UNTESTED
+// Distance from the plane of the eye, from a depth in normalised device coordinates; for any
+// projection.
+float viewDepth(float z)
+{
+  return (z * nprDepthProjection.w - nprDepthProjection.y) /
+    (z * nprDepthProjection.z - nprDepthProjection.x);
+}
+
+// Depth in the depth buffer of what is so far in front of a point.
+float depthBufferBefore(float depth, float distance)
+{
+  float nearer = depth - distance;
+  if (nprDepthProjection.z != 0.0)
+  {
+    nearer = max(nearer, 1e-3 * depth); // in front of the eye
+  }
+  return 0.5 * (nprDepthProjection.y - nprDepthProjection.x * nearer) /
+    (nprDepthProjection.w - nprDepthProjection.z * nearer) + 0.5;
+}
+
+// From where on surfaces hide a point, in the depth buffer: those farther than x do not, those
+// nearer than y wholly, and those nearer than z also where there is no surface beside them.
+vec3 depthLimits(float z)
+{
+  float depth = viewDepth(z);
+  float pixelSize = abs(nprDepthProjection.w - nprDepthProjection.z * depth) * nprPixelScale;
+  float tolerance = nprTolerance * pixelSize + 1e-4 * nprModelSize; // the latter: rounding
+  // Within a distance r of its edge a surface with the radius of curvature R rises by sqrt(2 r R):
+  // what is nearer than that is another surface, whose surroundings don't count.
+  float rise = sqrt(2.0 * nprVisibilityRadius * pixelSize * nprModelSize);
+  return vec3(depthBufferBefore(depth, tolerance), depthBufferBefore(depth, 1.5 * tolerance),
+    depthBufferBefore(depth, max(2.0 * tolerance, rise)));
+}
+#endif
+
 // Radius and opacity.
 vec2 ink(float recordWidth, vec2 strengthAndOpacity)
 {
@@ -110,14 +179,14 @@ vec2 ink(float recordWidth, vec2 strengthAndOpacity)
 
 void main()
 {
-  int segment = gl_VertexID / 6;
-  int corner = gl_VertexID - 6 * segment;
-  corner = corner < 3 ? corner : 6 - corner; // 0 1 2, 3 2 1
+  int segment = gl_VertexID / 4;
+  int corner = gl_VertexID - 4 * segment;
   vec4 startPlace = texelFetch(nprRecords, 2 * segment);
   vec4 startMore = texelFetch(nprRecords, 2 * segment + 1);
   vec4 endPlace = texelFetch(nprRecords, 2 * segment + 2);
   vec4 endMore = texelFetch(nprRecords, 2 * segment + 3);
   int startKind = int(startMore.w);
+  int endKind = int(endMore.w);
   vec4 start = nprMCDCMatrix * vec4(startPlace.xyz, 1.0);
   vec4 end = nprMCDCMatrix * vec4(endPlace.xyz, 1.0);
   vec2 reach = 1.0 + 2.0 * nprGuard / nprViewportSize;
@@ -135,15 +204,18 @@ void main()
   clip(reach.y * start.w - start.y, reach.y * end.w - end.y, range);
 
   nprAxisVSOut = vec4(0.0);
-  nprSizeVSOut = 0.0;
+  nprSizeVSOut = vec2(0.0);
   nprPlaceVSOut = vec2(0.0);
-  nprDepthVSOut = vec2(0.0);
   nprInkVSOut = vec4(0.0);
-  nprHiddenVSOut = 0.0;
+  nprVisibleVSOut = 0.0;
 #ifdef NPR_COLORED
   nprStartColorVSOut = nprEndColorVSOut = vec4(0.0);
 #endif
+#ifndef NPR_UNTESTED
+  nprStartLimitsVSOut = nprEndLimitsVSOut = vec3(0.0);
+#endif
 #ifdef NPR_PICKED
+  nprDepthVSOut = vec2(0.0);
   nprCellVSOut = vec4(0.0);
 #endif
 #ifdef NPR_STYLED
@@ -181,26 +253,48 @@ void main()
   vec2 axis = pixelB - pixelA;
   float size = length(axis);
   axis = size > 1e-6 ? axis / size : vec2(1.0, 0.0);
-  vec2 beyond = vec2(extent);
-#ifdef NPR_STYLED
+  nprVisibleVSOut = nprUseHidingLayers != 0 && (startKind & Hidden) != 0 ? 0.0 : 1.0;
+#ifndef NPR_UNTESTED
+  nprStartLimitsVSOut = depthLimits(a.z / a.w);
+  nprEndLimitsVSOut = depthLimits(b.z / b.w);
+  if (nprDepthTest != 0 && countPieces(size) == 1.0)
+  {
+    nprVisibleVSOut *= visibility(
+      0.5 * (pixelA + pixelB), 0.5 * (nprStartLimitsVSOut + nprEndLimitsVSOut));
+    // All surfaces are far enough, for the fragments.
+    nprStartLimitsVSOut = nprEndLimitsVSOut = vec3(0.0, -1.0, -2.0);
+  }
+#endif
+  if (nprVisibleVSOut == 0.0 && nprHiddenOpacity == 0.0)
+  {
+    return;
+  }
+  vec3 nextToA = vec3(0.0);
+  vec3 nextToB = vec3(0.0);
   if ((startKind & HasBefore) != 0 && range.x == 0.0)
   {
     vec4 before = nprMCDCMatrix * vec4(texelFetch(nprRecords, 2 * segment - 2).xyz, 1.0);
-    nprNeighboursVSOut.xy = neighbour(before, pixelA, -axis);
+    nextToA = neighbour(before, pixelA, -axis);
   }
-  if ((int(endMore.w) & HasAfter) != 0 && range.y == 1.0)
+  if ((endKind & HasAfter) != 0 && range.y == 1.0)
   {
     vec4 after = nprMCDCMatrix * vec4(texelFetch(nprRecords, 2 * segment + 4).xyz, 1.0);
-    nprNeighboursVSOut.zw = neighbour(after, pixelB, axis);
+    nextToB = neighbour(after, pixelB, axis);
   }
-  beyond = vec2(
-    reachBeyond(nprNeighboursVSOut.xy, inkA.x), reachBeyond(nprNeighboursVSOut.zw, inkB.x));
+  vec2 side = vec2((corner & 1) == 0 ? -1.0 : 1.0, (corner & 2) == 0 ? -1.0 : 1.0);
+  float left = side.y * extent;
+#ifdef NPR_STYLED
+  nprNeighboursVSOut = vec4(nextToA.xy, nextToB.xy);
+  vec2 beyond = vec2(reachBeyond(nextToA.xy, inkA.x), reachBeyond(nextToB.xy, inkB.x));
   vec2 pageLengths = vec2(
     texelFetch(nprPageLengths, segment).r, texelFetch(nprPageLengths, segment + 1).r);
   pageLengths = mix(pageLengths.xx, pageLengths.yy, range);
   nprLengthsVSOut = vec4(pageLengths,
     nprDashScale > 0.0 ? nprDashScale * mix(startMore.zz, endMore.zz, range) : pageLengths);
   nprStrokeVSOut = startKind / StrokeNumber;
+#else
+  vec2 beyond = vec2(cut(startKind, nextToA.xy, -left, min(size, nextToA.z)),
+    cut(endKind, nextToB.xy, left, min(size, nextToB.z)));
 #endif
 #ifdef NPR_COLORED
   vec4 startColor = texelFetch(nprColors, segment);
@@ -209,18 +303,16 @@ void main()
   nprEndColorVSOut = mix(startColor, endColor, range.y);
 #endif
 #ifdef NPR_PICKED
+  nprDepthVSOut = vec2(a.z / a.w, b.z / b.w);
   nprCellVSOut = texelFetch(nprCells, segment);
 #endif
-  nprHiddenVSOut = (startKind & Hidden) != 0 ? 1.0 : 0.0;
-  vec2 side = vec2((corner & 1) == 0 ? -1.0 : 1.0, (corner & 2) == 0 ? -1.0 : 1.0);
   float along = side.x < 0.0 ? -beyond.x : beyond.y;
   vec2 position = (side.x < 0.0 ? pixelA : pixelB) + along * axis +
-    extent * side.y * vec2(-axis.y, axis.x);
+    left * vec2(-axis.y, axis.x);
 
   nprAxisVSOut = vec4(pixelA, axis);
-  nprSizeVSOut = size;
-  nprPlaceVSOut = vec2(side.x < 0.0 ? along : size + along, side.y * extent);
-  nprDepthVSOut = vec2(a.z / a.w, b.z / b.w);
+  nprSizeVSOut = vec2(size, 1.0 / max(size, 1e-6));
+  nprPlaceVSOut = vec2(side.x < 0.0 ? along : size + along, left);
   nprInkVSOut = vec4(inkA, inkB);
   gl_Position = vec4(2.0 * position / nprViewportSize - 1.0, 0.0, 1.0);
 }
