@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprShadingSteps.h"
 
+#include <vtkActor.h>
+#include <vtkMapper.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpaquePass.h>
 #include <vtkProp.h>
@@ -11,12 +13,21 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace npr
 {
 namespace
 {
-// The renderer knows better than a vtkTranslucentPass how its translucent props are to be drawn.
+// Strokes know the picture below them, and are laid over it one after another.
+bool IsLaidOver(vtkProp* prop)
+{
+  auto* const actor = vtkActor::SafeDownCast(prop);
+  return actor && actor->GetMapper() && actor->GetMapper()->IsA("vtkNPRStrokeMapper");
+}
+
+// The renderer knows better than a vtkTranslucentPass how its translucent props are to be drawn,
+// but what it does for their order is spent in vain where there are strokes alone.
 class TranslucentStep : public vtkRenderPass
 {
 public:
@@ -25,11 +36,19 @@ public:
   void Render(const vtkRenderState* state) override
   {
     this->NumberOfRenderedProps = 0;
-    vtkProp** props = state->GetPropArray();
-    if (std::any_of(props, props + state->GetPropArrayCount(),
-          [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; }))
+    std::vector<vtkProp*> props(
+      state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount());
+    props.erase(std::remove_if(props.begin(), props.end(),
+                  [](vtkProp* prop) { return !prop->HasTranslucentPolygonalGeometry(); }),
+      props.end());
+    if (!std::all_of(props.begin(), props.end(), IsLaidOver))
     {
       state->GetRenderer()->DeviceRenderTranslucentPolygonalGeometry();
+      return;
+    }
+    for (vtkProp* prop : props)
+    {
+      this->NumberOfRenderedProps += prop->RenderTranslucentPolygonalGeometry(state->GetRenderer());
     }
   }
 };
