@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an illustration costs beside VTK's plain picture of the same model, in one run:
 //   nprRenderBenchmark MODEL [STYLE] [WIDTH HEIGHT]
+// A frame is the mean over viewpoints, each with lines extracted anew, of the least of several; all
+// kinds of frames are drawn in turn. Processor: the time of all threads, which tells less of what
+// else the machine does.
+#include "nprBenchmarkCost.h"
 #include "vtkNPRIllustration.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRModelImporter.h"
@@ -17,51 +21,104 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace
 {
-constexpr int NumberOfFrames = 8;
+constexpr int NumberOfViews = 6;
+constexpr int Rounds = 3;
 
-double Measure(const std::function<void()>& work)
+/// A model in a window of its own.
+class Scene
 {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+public:
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkNPRViewpoint> Viewpoint;
+  std::vector<nprbench::Cost> Views; // the least so far of each
 
-double GetPeakMegabytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss / 1024.0;
-}
-
-/// Seconds of a frame from a new viewpoint each, the least of several.
-double MeasureFrames(vtkRenderWindow* window, vtkRenderer* renderer)
-{
-  double least = 1.0e9;
-  for (int i = 0; i < NumberOfFrames; ++i)
+  Scene(int width, int height)
   {
-    renderer->GetActiveCamera()->Azimuth(3.0);
-    renderer->ResetCameraClippingRange();
-    least = std::min(least,
-      Measure(
-        [&]()
-        {
-          window->Render();
-          window->WaitForCompletion();
-        }));
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(width, height);
+    this->Window->AddRenderer(this->Renderer);
   }
-  return least;
+
+  void Render()
+  {
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+  }
+
+  void Draw(int view)
+  {
+    this->Viewpoint->Apply(this->Renderer);
+    this->Renderer->GetActiveCamera()->Azimuth(360.0 / NumberOfViews * view);
+    this->Renderer->ResetCameraClippingRange();
+    const nprbench::Cost cost = nprbench::Measure(1, [this]() { this->Render(); });
+    this->Views.resize(NumberOfViews);
+    this->Views[view].Wall = std::min(this->Views[view].Wall, cost.Wall);
+    this->Views[view].Processor = std::min(this->Views[view].Processor, cost.Processor);
+  }
+
+  nprbench::Cost GetFrame() const
+  {
+    nprbench::Cost mean{ 0.0, 0.0 };
+    for (const nprbench::Cost& view : this->Views)
+    {
+      mean.Wall += view.Wall / NumberOfViews;
+      mean.Processor += view.Processor / NumberOfViews;
+    }
+    return mean;
+  }
+};
+
+/// Draws all views of scenes in turn, several times.
+void Draw(const std::vector<Scene*>& scenes)
+{
+  for (int i = 0; i < Rounds * NumberOfViews; ++i)
+  {
+    for (Scene* scene : scenes)
+    {
+      scene->Draw(i % NumberOfViews);
+    }
+  }
+}
+
+class IllustratedScene : public Scene
+{
+public:
+  vtkNew<vtkNPRIllustration> Illustration;
+  vtkNew<vtkNPRIllustrationStyle> Style;
+
+  IllustratedScene(vtkPolyData* surface, int width, int height) : Scene(width, height)
+  {
+    this->Mapper->SetInputData(surface);
+    this->Viewpoint->Apply(this->Renderer);
+    this->Illustration->SetRenderer(this->Renderer);
+    this->Illustration->SetStyle(this->Style);
+  }
+
+  double GetSeconds(const char* stage) { return this->Illustration->GetStageSeconds(stage); }
+};
+
+void PrintRow(const std::string& what, double theirs, double ours)
+{
+  std::printf("%-44s %7.3fs %7.3fs %7.2f\n", what.c_str(), theirs, ours, ours / theirs);
+}
+
+void PrintOurs(const std::string& what, double seconds)
+{
+  std::printf("%-44s %8s %7.3fs\n", what.c_str(), "", seconds);
 }
 }
 
@@ -76,11 +133,15 @@ int main(int argc, char* argv[])
   {
     return EXIT_FAILURE;
   }
+  const int width = argc > 4 ? std::atoi(argv[3]) : 1600;
+  const int height = argc > 4 ? std::atoi(argv[4]) : 1200;
+  const auto measure = [](const auto& work) { return nprbench::Measure(1, work).Wall; };
+
   vtkNew<vtkNPRModelImporter> importer;
   importer->SetFileName(argv[1]);
   vtkNew<vtkPolyData> surface;
   bool good = false;
-  const double read = Measure([&]() { good = importer->GetSurface(surface); });
+  const double read = measure([&]() { good = importer->GetSurface(surface); });
   if (!good)
   {
     return EXIT_FAILURE;
@@ -88,72 +149,87 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(normals->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(argc > 4 ? std::atoi(argv[3]) : 1600, argc > 4 ? std::atoi(argv[4]) : 1200);
-  window->AddRenderer(renderer);
-  vtkNew<vtkNPRViewpoint> viewpoint;
-  const double vtkNormals = Measure([&]() { normals->Update(); });
-  viewpoint->Apply(renderer);
-  const auto render = [&]()
-  {
-    window->Render();
-    window->WaitForCompletion();
-  };
-  const double vtkFirst = Measure(render);
-  const double vtkFrame = MeasureFrames(window, renderer);
-  const double vtkMemory = GetPeakMegabytes();
+  const double vtkNormals = measure([&]() { normals->Update(); });
+  Scene plain(width, height);
+  plain.Mapper->SetInputConnection(normals->GetOutputPort());
+  plain.Viewpoint->Apply(plain.Renderer);
+  const double vtkFirst = measure([&]() { plain.Render(); });
+  const double vtkMemory = nprbench::ReadMegabytes("VmHWM");
 
-  mapper->SetInputData(surface);
-  viewpoint->Apply(renderer);
-  vtkNew<vtkNPRIllustrationStyle> style;
-  if (!style->Load(argc > 2 ? argv[2] : "technical"))
+  IllustratedScene whole(surface, width, height);
+  if (!whole.Style->Load(argc > 2 ? argv[2] : "technical"))
   {
     return EXIT_FAILURE;
   }
-  vtkNew<vtkNPRIllustration> illustration;
-  illustration->SetRenderer(renderer);
-  illustration->SetStyle(style);
-  const double apply = Measure([&]() { illustration->Apply(); });
-  const double prepare = illustration->GetStageSeconds("prepare");
-  const double curvature = illustration->GetStageSeconds("curvature");
-  const double first = Measure(render);
-  const double lines = illustration->GetStageSeconds("lines");
-  const double frame = MeasureFrames(window, renderer);
-  const double laterLines = (illustration->GetStageSeconds("lines") - lines) / NumberOfFrames;
+  const double apply = measure([&]() { whole.Illustration->Apply(); });
+  const double prepare = whole.GetSeconds("prepare");
+  const double curvature = whole.GetSeconds("curvature");
+  const double first = measure([&]() { whole.Render(); });
+  const double memory = nprbench::ReadMegabytes("VmHWM");
+  const double firstLines = whole.GetSeconds("lines");
+
+  // The same with lines that the depth buffer hides.
+  IllustratedScene quick(surface, width, height);
+  quick.Style->Load(argc > 2 ? argv[2] : "technical");
+  quick.Illustration->SetStrokeVisibilityToDepthBuffer();
+  quick.Illustration->Apply();
+  quick.Render();
+
+  // The same shading with each of the outlines that need no extraction, and with none.
+  IllustratedScene unlined(surface, width, height);
+  unlined.Style->Load(argc > 2 ? argv[2] : "technical");
+  unlined.Style->SelectLines({});
+  const std::vector<std::string> outlines = vtkNPRIllustrationStyle::GetOutlineNames();
+  std::vector<nprbench::Cost> unlinedFrames;
+  for (std::size_t kind = 0; kind < outlines.size(); ++kind)
+  {
+    unlined.Style->SetOutline(static_cast<int>(kind));
+    unlined.Illustration->Apply();
+    unlined.Render();
+    unlined.Views.clear();
+    if (kind == 0)
+    {
+      Draw({ &plain, &unlined, &quick, &whole });
+    }
+    else
+    {
+      Draw({ &unlined });
+    }
+    unlinedFrames.push_back(unlined.GetFrame());
+  }
+  const double lines = (whole.GetSeconds("lines") - firstLines) / (Rounds * NumberOfViews);
+  const nprbench::Cost plainFrame = plain.GetFrame();
+  const nprbench::Cost wholeFrame = whole.GetFrame();
+  const nprbench::Cost quickFrame = quick.GetFrame();
 
   std::printf("%s: %lld polygons, %dx%d, style %s, %s\n", argv[1],
-    static_cast<long long>(surface->GetNumberOfPolys()), window->GetSize()[0], window->GetSize()[1],
-    style->GetName().c_str(), vtkNPROffscreen::GetGLRenderer(window).c_str());
-  std::printf("%-38s %8s %8s %7s\n", "", "VTK", "vtkNPR", "ratio");
-  const auto row = [](const char* what, double theirs, double ours)
-  { std::printf("%-38s %7.3fs %7.3fs %7.2f\n", what, theirs, ours, ours / theirs); };
-  std::printf("%-38s %7.3fs\n", "reading (both)", read);
-  row("prepared (VTK: normals)", vtkNormals, apply);
-  std::printf("%-38s %8s %7.3fs\n", "  surface, normals, refinement", "", prepare);
-  std::printf("%-38s %8s %7.3fs\n", "  curvature and its derivatives", "", curvature);
-  row("first frame", vtkFirst, first);
-  row("a frame from a new viewpoint", vtkFrame, frame);
-  std::printf("%-38s %8s %7.3fs\n", "  of it lines", "", laterLines);
-  row("all, from file to first frame", read + vtkNormals + vtkFirst, read + apply + first);
-  // The same shading with each of the outlines that need no extraction, and with none.
-  style->SelectLines({});
-  const std::vector<std::string> outlines = vtkNPRIllustrationStyle::GetOutlineNames();
-  for (int kind = 0; kind < static_cast<int>(outlines.size()); ++kind)
+    static_cast<long long>(surface->GetNumberOfPolys()), width, height,
+    whole.Style->GetName().c_str(), vtkNPROffscreen::GetGLRenderer(whole.Window).c_str());
+  std::printf("%-44s %8s %8s %7s\n", "", "VTK", "vtkNPR", "ratio");
+  std::printf("%-44s %7.3fs\n", "reading (both)", read);
+  PrintRow("prepared (VTK: normals)", vtkNormals, apply);
+  PrintOurs("  surface, normals, refinement", prepare);
+  PrintOurs("  curvature and its derivatives", curvature);
+  PrintRow("first frame", vtkFirst, first);
+  PrintRow("all, from file to first frame", read + vtkNormals + vtkFirst, read + apply + first);
+  for (const auto& clock : { std::make_pair("wall", &nprbench::Cost::Wall),
+         std::make_pair("processor", &nprbench::Cost::Processor) })
   {
-    style->SetOutline(kind);
-    illustration->Apply();
-    render();
-    const std::string what = "a frame, no lines, outline " + outlines[kind];
-    row(what.c_str(), vtkFrame, MeasureFrames(window, renderer));
+    const double theirs = plainFrame.*clock.second;
+    const std::string name = std::string(", ") + clock.first;
+    PrintRow("a frame of a new view" + name, theirs, wholeFrame.*clock.second);
+    PrintRow("  the mesh alone", theirs, unlinedFrames[0].*clock.second);
+    PrintRow("  its lines, extraction to pixels", theirs,
+      wholeFrame.*clock.second - unlinedFrames[0].*clock.second);
+    PrintRow("  its lines, hidden by the depth buffer", theirs,
+      quickFrame.*clock.second - unlinedFrames[0].*clock.second);
+    for (std::size_t kind = 1; kind < outlines.size(); ++kind)
+    {
+      PrintRow(
+        "a frame, outline " + outlines[kind] + name, theirs, unlinedFrames[kind].*clock.second);
+    }
   }
-  std::printf("%-38s %6.0fMB %6.0fMB\n", "peak memory so far", vtkMemory, GetPeakMegabytes());
+  PrintOurs("of a frame extraction, wall, mean", lines);
+  std::printf("%-44s %6.0fMB %6.0fMB\n", "peak memory to the first frame", vtkMemory, memory);
   return EXIT_SUCCESS;
 }
