@@ -23,6 +23,7 @@ constexpr double LeastAgreement = 0.1; // cosine between two normals
 constexpr double GapInSizes = 0.1;     // that a point of the surface may have
 constexpr double LeastGapInPixels = 0.5;
 constexpr double MostGapInPixels = 4.0;
+constexpr double TouchingReach = 5.0;    // of the distance at which surfaces touch
 constexpr double SideInTolerances = 4.0; // from a surface that is seen edge-on
 
 /// Squared distance of the origin from a segment.
@@ -152,7 +153,7 @@ int HidingLayers::CountAt(const Vector& point, const Vector& normal)
   const bool isFirstEnough = this->Most == 1;
   auto visit = [&](Index triangle, float t)
   {
-    if (this->IsOwn(triangle, t))
+    if (this->IsOwn(triangle, t) || this->TouchesBody(triangle, t))
     {
       return true;
     }
@@ -236,6 +237,37 @@ bool HidingLayers::IsOwn(Index triangle, double distance)
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool HidingLayers::TouchesBody(Index triangle, double distance)
+{
+  const double most = MostGapInPixels * this->PixelSize;
+  const double error = this->Surfaces.GetChordError(triangle);
+  const Vector normal = this->Surfaces.GetAreaNormal(triangle);
+  const double depth = distance * std::abs(normal.dot(this->ToEye));
+  if (depth > std::min(most, error + this->Surfaces.GetLargestChordError()) * normal.norm())
+  {
+    return false;
+  }
+  if (!this->AreSourcesKnown)
+  {
+    this->FindSources();
+  }
+  if (this->Own.empty() ||
+    this->Surfaces.GetBody(triangle) == this->Surfaces.GetBody(this->Nearest))
+  {
+    return false;
+  }
+  double ownError = 0.0;
+  for (const Step& step : this->Own)
+  {
+    ownError =
+      step.IsSource ? std::max(ownError, this->Surfaces.GetChordError(step.Triangle)) : ownError;
+  }
+  const double touching = std::min(most, error + ownError);
+  return depth <= touching * normal.norm() &&
+    this->GetDistance(triangle) <= TouchingReach * touching;
 }
 
 //------------------------------------------------------------------------------

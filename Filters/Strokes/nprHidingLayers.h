@@ -63,6 +63,9 @@ private:
   Vector FindEdgeOnNormal();
   /// Whether a crossing is with the surface that the point lies on, near it.
   bool IsOwn(Index triangle, double distance);
+  /// Whether a crossing is with another body, where that touches the own one as far as the chords
+  /// of both can tell.
+  bool TouchesBody(Index triangle, double distance);
   /// Begins the own surface with the triangles that the point lies on.
   void FindSources();
   /// Sets the nearest triangle, the distance from it, and which triangles touch the point. False if

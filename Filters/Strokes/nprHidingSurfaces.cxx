@@ -3,6 +3,7 @@
 #include "nprHidingSurfaces.h"
 
 #include "nprArrayNames.h"
+#include "nprTupleArrays.h"
 #include "nprWeldedPoints.h"
 
 #include <vtkCellArray.h>
@@ -17,14 +18,70 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace npr
 {
 namespace
 {
+using Index = TriangleMesh::Index;
+
+constexpr double LeastAgreement = 0.5; // cosine between the normals at the ends of a curve
+
+/// A surface of triangles, and how far each is from the smooth one that the normals describe.
+struct ReadSurface
+{
+  TriangleMesh Mesh;
+  std::vector<float> ChordErrors;
+};
+
+/// From the middle of a chord to the curve that leaves its ends at right angles to their normals
+/// (A. Vlachos et al., "Curved PN Triangles", I3D 2001).
+Eigen::Vector3f GetSagitta(
+  const Eigen::Vector3f& chord, const Eigen::Vector3f& n0, const Eigen::Vector3f& n1)
+{
+  return 0.125f * (chord.dot(n1) * n1 - chord.dot(n0) * n0);
+}
+
+std::vector<float> MeasureChordErrors(
+  const TriangleMesh& mesh, vtkPolyData* surface, const Eigen::Matrix3d& linear)
+{
+  std::vector<float> errors(mesh.GetNumberOfTriangles(), 0.0f);
+  vtkDataArray* const array = surface->GetPointData()->GetArray(names::Normals);
+  if (!array || array->GetNumberOfComponents() != 3)
+  {
+    return errors;
+  }
+  const Tuples<3> normals = ReadTuples<3>(array);
+  const Eigen::Matrix3f toWorld = linear.cast<float>();
+  vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto t = static_cast<Index>(begin); t < end; ++t)
+      {
+        const TriangleMesh::Triangle& corners = mesh.GetTriangle(t);
+        for (int e = 0; e < 3; ++e)
+        {
+          const Index from = corners[e];
+          const Index to = corners[(e + 1) % 3];
+          const Eigen::Vector3f& n0 = normals[from];
+          const Eigen::Vector3f& n1 = normals[to];
+          const float error =
+            (toWorld * GetSagitta(mesh.GetPoint(to) - mesh.GetPoint(from), n0, n1)).norm();
+          // No error either, where they are no numbers.
+          if (n0.dot(n1) > LeastAgreement && error > errors[t])
+          {
+            errors[t] = error;
+          }
+        }
+      }
+    });
+  return errors;
+}
+
 /// The triangles of a surface that may have other polygons and strips.
-TriangleMesh ReadTriangles(vtkPolyData* surface)
+ReadSurface ReadTriangles(vtkPolyData* surface, const Eigen::Matrix3d& linear)
 {
   vtkNew<vtkTriangleFilter> triangulate;
   const bool isTriangulated =
@@ -40,9 +97,10 @@ TriangleMesh ReadTriangles(vtkPolyData* surface)
     surface = triangulate->GetOutput();
   }
   TriangleMesh mesh(surface);
+  std::vector<float> errors = MeasureChordErrors(mesh, surface, linear);
   if (!surface->GetPointData()->HasArray(names::WeldedPointIds))
   {
-    return mesh;
+    return { std::move(mesh), std::move(errors) };
   }
   const std::vector<TriangleMesh::Index> welded = GetWeldedPoints(surface);
   std::vector<TriangleMesh::Triangle> triangles = mesh.GetTriangles();
@@ -53,7 +111,8 @@ TriangleMesh ReadTriangles(vtkPolyData* surface)
       corner = welded[corner];
     }
   }
-  return TriangleMesh(mesh.GetPoints(), std::move(triangles), mesh.GetOrigin());
+  return { TriangleMesh(mesh.GetPoints(), std::move(triangles), mesh.GetOrigin()),
+    std::move(errors) };
 }
 }
 
@@ -87,14 +146,16 @@ HidingSurfaces::HidingSurfaces(const std::vector<Surface>& surfaces)
   {
     if (surface.Data->GetNumberOfPoints() > 0)
     {
-      TriangleMesh mesh = ReadTriangles(surface.Data);
+      auto [mesh, errors] = ReadTriangles(surface.Data, surface.ToWorld.topLeftCorner<3, 3>());
       mesh.BuildNeighbours();
       this->Append(mesh, surface.ToWorld);
+      this->ChordErrors.insert(this->ChordErrors.end(), errors.begin(), errors.end());
     }
   }
   this->Points.emplace_back(Eigen::Vector3f::Zero());
 
   this->Measure();
+  this->FindBodies();
   if (!this->IsEmpty())
   {
     this->Tracer = std::make_unique<RayTracer>(this->Points, this->Triangles);
@@ -108,6 +169,7 @@ void HidingSurfaces::Measure()
   {
     float SquaredRadius = 0.0f;
     float SquaredEdge = 0.0f;
+    float ChordError = 0.0f;
     bool IsOriented = true;
   };
   vtkSMPThreadLocal<Local> locals;
@@ -117,6 +179,7 @@ void HidingSurfaces::Measure()
       Local& local = locals.Local();
       for (auto t = static_cast<Index>(begin); t < end; ++t)
       {
+        local.ChordError = std::max(local.ChordError, this->ChordErrors[t]);
         for (int e = 0; e < 3; ++e)
         {
           const Eigen::Vector3f& from = this->Points[this->Triangles[t][e]];
@@ -135,13 +198,48 @@ void HidingSurfaces::Measure()
   {
     all.SquaredRadius = std::max(all.SquaredRadius, local.SquaredRadius);
     all.SquaredEdge = std::max(all.SquaredEdge, local.SquaredEdge);
+    all.ChordError = std::max(all.ChordError, local.ChordError);
     all.IsOriented = all.IsOriented && local.IsOriented;
   }
   constexpr double manyRoundings = 1e-5;
   this->Radius = std::sqrt(all.SquaredRadius);
   this->Tolerance = manyRoundings * this->Radius;
   this->LongestEdge = std::sqrt(all.SquaredEdge);
+  this->LargestChordError = all.ChordError;
   this->IsOriented = all.IsOriented;
+}
+
+//------------------------------------------------------------------------------
+void HidingSurfaces::FindBodies()
+{
+  this->Bodies.resize(this->Triangles.size());
+  std::iota(this->Bodies.begin(), this->Bodies.end(), 0);
+  const auto findFirst = [this](Index triangle)
+  {
+    while (this->Bodies[triangle] != triangle)
+    {
+      this->Bodies[triangle] = this->Bodies[this->Bodies[triangle]];
+      triangle = this->Bodies[triangle];
+    }
+    return triangle;
+  };
+  for (Index t = 0; t < this->GetNumberOfTriangles(); ++t)
+  {
+    for (const Index neighbour : this->Neighbours[t])
+    {
+      if (neighbour > t)
+      {
+        const Index one = findFirst(t);
+        const Index other = findFirst(neighbour);
+        this->Bodies[std::max(one, other)] = std::min(one, other);
+      }
+    }
+  }
+  // None comes after what it refers to.
+  for (Index& body : this->Bodies)
+  {
+    body = this->Bodies[body];
+  }
 }
 
 //------------------------------------------------------------------------------

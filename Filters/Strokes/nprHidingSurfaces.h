@@ -59,6 +59,13 @@ public:
     return this->IsOriented || this->CompareOrientation(triangle, edge);
   }
 
+  /// How far a triangle may be from the smooth surface that the normals (point array Normals) at
+  /// its corners describe. 0 without normals.
+  double GetChordError(Index triangle) const { return this->ChordErrors[triangle]; }
+  double GetLargestChordError() const { return this->LargestChordError; }
+  /// The same for all triangles that are connected by edges.
+  Index GetBody(Index triangle) const { return this->Bodies[triangle]; }
+
   const RayTracer& GetTracer() const { return *this->Tracer; }
   /// What is subtracted from places in the world.
   const Eigen::Vector3d& GetCentre() const { return this->Centre; }
@@ -72,14 +79,18 @@ private:
   void Append(const TriangleMesh& mesh, const Eigen::Matrix4d& toWorld);
   bool CompareOrientation(Index triangle, int edge) const;
   void Measure();
+  void FindBodies();
 
   std::vector<Eigen::Vector3f> Points; // and one more, for the tracer
   std::vector<TriangleMesh::Triangle> Triangles;
   std::vector<TriangleMesh::Triangle> Neighbours;
+  std::vector<float> ChordErrors;
+  std::vector<Index> Bodies;
   Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
   double Radius = 0.0;
   double Tolerance = 0.0;
   double LongestEdge = 0.0;
+  double LargestChordError = 0.0;
   bool IsOriented = true;
   std::unique_ptr<RayTracer> Tracer;
 };

@@ -17,6 +17,16 @@
  * surfaces together) they are no layer, and what is behind the eye is none. Clipping planes do not
  * count.
  *
+ * @par Bodies that touch
+ * Where a shaft fills a hole, the triangles of each are chords of one cylinder, and stick out of
+ * each other. So a triangle of another body (one that no edges connect with the surface that the
+ * stroke lies on) is no layer either where its plane is no farther from the point than the chord
+ * errors of both together, at most 4 pixels, and the triangle itself no farther than 5 times that.
+ * The chord error of a triangle is the farthest that the smooth surface, which its point array
+ * Normals describes, is from the middle of one of its edges: an eighth of the edge's length times
+ * the angle between the normals. It is 0 without normals, of flat faces, and of edges whose normals
+ * differ by more than 60 degrees. Both sides of a wall are one body: it hides, however thin it is.
+ *
  * @par The surface that a stroke lies on
  * A point lies on the triangle nearest to it if that is within 0.1 of the triangle's size (the root
  * of twice its area), at least within half a pixel, at most within 4. Ways through that triangle,

@@ -13,6 +13,7 @@
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <Eigen/Dense>
@@ -64,10 +65,13 @@ public:
       }
       ids[i] = found->second;
     }
+    vtkDataArray* const normals = surface->GetPointData()->GetArray("Normals");
     vtkNew<vtkIdList> corners;
     for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
     {
       surface->GetPolys()->GetCellAtId(cell, corners);
+      this->ChordErrors.push_back(
+        normals ? GetChordError(surface, normals, corners, toWorld) : 0.0);
       this->Triangles.push_back(
         { ids[corners->GetId(0)], ids[corners->GetId(1)], ids[corners->GetId(2)] });
     }
@@ -133,6 +137,14 @@ public:
   }
 
 private:
+  struct OwnSurface
+  {
+    std::set<int> Sources;
+    std::map<int, Vector> Around; // with the first triangle's normal, turned alike
+    double Reach = 0.0;
+    double ChordError = 0.0; // of those that are as near as the nearest
+  };
+
   /// Also the normal of a triangle that is seen edge-on under the point, where there is one.
   int CountLayersAt(const Vector& point, const Vector& normal, Vector& edgeOn) const
   {
@@ -171,16 +183,50 @@ private:
       [&](const std::pair<double, int>& hit)
       {
         return own.Sources.count(hit.second) == 0 &&
-          !(hit.first <= own.Reach && own.Around.count(hit.second) != 0);
+          !(hit.first <= own.Reach && own.Around.count(hit.second) != 0) &&
+          !this->TouchesBody(own, point, seen.z(), hit);
       }));
   }
 
-  struct OwnSurface
+  /// Curves that leave the ends of an edge at right angles to their normals are so far from it: to
+  /// first order an eighth of its length times the angle between the normals in its direction.
+  static double GetChordError(
+    vtkPolyData* surface, vtkDataArray* normals, vtkIdList* corners, const Eigen::Matrix4d& toWorld)
   {
-    std::set<int> Sources;
-    std::map<int, Vector> Around; // with the first triangle's normal, turned alike
-    double Reach = 0.0;
-  };
+    double largest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const vtkIdType a = corners->GetId(i);
+      const vtkIdType b = corners->GetId((i + 1) % 3);
+      Vector from, to, n, m;
+      surface->GetPoint(a, from.data());
+      surface->GetPoint(b, to.data());
+      normals->GetTuple(a, n.data());
+      normals->GetTuple(b, m.data());
+      if (n.dot(m) > 0.5)
+      {
+        const Vector move = ((to - from).dot(m) * m - (to - from).dot(n) * n) / 8.0;
+        largest = std::max(largest, (toWorld.topLeftCorner<3, 3>() * move).norm());
+      }
+    }
+    return largest;
+  }
+
+  /// Whether another body than the own one touches it there, as far as chords can tell.
+  bool TouchesBody(const OwnSurface& own, const Vector& point, double depth,
+    const std::pair<double, int>& hit) const
+  {
+    if (own.Around.empty() || this->Bodies[hit.second] == this->Bodies[own.Around.begin()->first])
+    {
+      return false;
+    }
+    double touching = this->ChordErrors[hit.second] + own.ChordError;
+    touching = std::min(touching, 4.0 * (this->IsParallel ? 1.0 : depth) / this->Scale);
+    const double cosine =
+      std::abs(this->GetAreaNormal(hit.second).normalized().dot(this->GetDirectionToEye(point)));
+    return hit.first * cosine <= touching && this->GetDistance(point, hit.second) <= 5.0 * touching;
+  }
+
   static constexpr double CellSize = 3.0;
 
   template<typename Visitor>
@@ -372,6 +418,7 @@ private:
     for (const int source : sources)
     {
       own.Around[source] = this->GetAreaNormal(source).normalized();
+      own.ChordError = std::max(own.ChordError, this->ChordErrors[source]);
       if (isOnEdge && std::abs(own.Around[source].dot(toEye)) <= 0.06)
       {
         own.Reach = std::max(own.Reach, 2.0 * pixelSize);
@@ -442,6 +489,21 @@ private:
         }
       }
     }
+    this->Bodies.assign(this->Triangles.size(), -1);
+    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+    {
+      std::vector<int> found = { static_cast<int>(t) };
+      while (!found.empty())
+      {
+        const int next = found.back();
+        found.pop_back();
+        if (next >= 0 && this->Bodies[next] < 0)
+        {
+          this->Bodies[next] = static_cast<int>(t);
+          found.insert(found.end(), this->Neighbours[next].begin(), this->Neighbours[next].end());
+        }
+      }
+    }
     Eigen::AlignedBox3d box;
     for (const Vector& point : this->Points)
     {
@@ -457,7 +519,9 @@ private:
   std::vector<Vector> Points;
   std::vector<std::array<int, 3>> Triangles;
   std::vector<std::array<int, 3>> Neighbours;
-  double Radius = 0.0; // around the middle of their bounds
+  std::vector<double> ChordErrors; // of the triangles
+  std::vector<int> Bodies;         // the same number for all that are connected
+  double Radius = 0.0;             // around the middle of their bounds
   Eigen::Matrix4d ToView = Eigen::Matrix4d::Identity();
   double Scale = 1.0;
   bool IsParallel = false;
