@@ -102,18 +102,24 @@ public:
 
   void MarkAll() { std::fill(this->IsMarked.begin(), this->IsMarked.end(), 1); }
 
-  /// @param maximumTurn degrees; 0: what is not flat turns too much
-  void MarkCurvedEdges(double maximumLength, double maximumTurn)
+  void MarkCoarseEdges(const SurfaceRefinementOptions& options)
   {
-    const double cosine = std::cos(vtkMath::RadiansFromDegrees(maximumTurn));
+    const double cosine = std::cos(vtkMath::RadiansFromDegrees(options.MaximumTurn));
+    const bool hasTurn = options.MaximumTurn > 0.0;
+    const bool hasError = options.MaximumChordError > 0.0;
+    const auto isFine = [&](const Edge& edge)
+    {
+      return hasTurn || hasError ? (!hasTurn || edge.TurnsAtMost(cosine)) &&
+          (!hasError || edge.GetMove().norm() <= options.MaximumChordError)
+                                 : edge.IsFlat();
+    };
     vtkSMPTools::For(0, this->Mesh.GetNumberOfEdges(),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
           const Edge edge = this->GetEdge(static_cast<Index>(i));
-          this->IsMarked[i] = edge.Length > maximumLength &&
-            !(maximumTurn > 0.0 ? edge.TurnsAtMost(cosine) : edge.IsFlat());
+          this->IsMarked[i] = edge.Length > options.MaximumEdgeLength && !isFine(edge);
         }
       });
     for (const Copies& copies : this->AllCopies)
@@ -450,7 +456,7 @@ RefinedSurface RefineSurface(const TriangleMesh& mesh, const Tuples<3>& normals,
     }
     else
     {
-      pass.MarkCurvedEdges(options.MaximumEdgeLength, options.MaximumTurn);
+      pass.MarkCoarseEdges(options);
       pass.LimitNumberOfTriangles(options.MaximumNumberOfTriangles);
     }
     if (!pass.HasMarks() || !progress((level + 0.5) / passes))

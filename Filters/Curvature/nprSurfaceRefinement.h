@@ -22,10 +22,12 @@ inline constexpr int RefinementReach = 12;
 
 struct SurfaceRefinementOptions
 {
-  /// Passes that split every edge; negative: passes split the edges that are too long and not flat.
+  /// Passes that split every edge; negative: passes split the edges that are too long and turn too
+  /// much or have too large a chord error, or without limits to both, are not flat.
   int NumberOfLevels = -1;
   double MaximumEdgeLength = 0.0; // length
-  double MaximumTurn = 0.0;       // degrees; 0: what is not flat turns too much
+  double MaximumTurn = 0.0;       // degrees; 0: of no matter
+  double MaximumChordError = 0.0; // length; 0: of no matter
   vtkIdType MaximumNumberOfTriangles = 2000000;
 };
 

@@ -198,6 +198,7 @@ bool vtkNPRSurfaceRefinement::Compute(vtkPolyData* input, vtkPolyData* output, b
   const double lengthScale = npr::GetLengthScale(input, mesh);
   options.MaximumEdgeLength = this->MaximumEdgeLength * lengthScale;
   options.MaximumTurn = this->MaximumTurn;
+  options.MaximumChordError = this->MaximumChordError * lengthScale;
   options.MaximumNumberOfTriangles = this->MaximumNumberOfTriangles;
   const npr::RefinedSurface refined =
     npr::RefineSurface(mesh, npr::GetUnitNormals(mesh, npr::FindNormals(input)),
@@ -238,6 +239,7 @@ void vtkNPRSurfaceRefinement::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "MaximumTurn: " << this->MaximumTurn << "\n";
+  os << indent << "MaximumChordError: " << this->MaximumChordError << "\n";
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
 }

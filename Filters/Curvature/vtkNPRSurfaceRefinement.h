@@ -47,9 +47,19 @@ public:
   /// How far the normals at the ends of an edge may differ, so that triangles adapt to curvature:
   /// an edge becomes as long as this turn divided by the curvature along it, but not shorter than
   /// half of MaximumEdgeLength (set that to 0 for no such limit). Degrees, 0 to 180; 0, the
-  /// default, splits all edges that are too long and not flat. Ignored if NumberOfLevels is set.
+  /// default, splits all edges that are too long and not flat, unless MaximumChordError is set.
+  /// Ignored if NumberOfLevels is set.
   vtkSetClampMacro(MaximumTurn, double, 0.0, 180.0);
   vtkGetMacro(MaximumTurn, double);
+  ///@}
+
+  ///@{
+  /// How far the middle of an edge may be from the curve that its normals describe, as a fraction
+  /// of the surface's length scale: so flat faces stay whole, and a cylinder gets no more triangles
+  /// along its axis. None becomes shorter than half of MaximumEdgeLength. 0, the default, does not
+  /// ask for it; if both are given, an edge has to keep both. Ignored if NumberOfLevels is set.
+  vtkSetClampMacro(MaximumChordError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumChordError, double);
   ///@}
 
   ///@{
@@ -82,6 +92,7 @@ private:
 
   double MaximumEdgeLength = 0.02;
   double MaximumTurn = 0.0;
+  double MaximumChordError = 0.0;
   vtkIdType MaximumNumberOfTriangles = 2000000;
   int NumberOfLevels = -1;
 };

@@ -3,6 +3,7 @@
 // Refined spheres are round, cans have round rims and flat caps, cubes stay cubes; no cracks
 // anywhere.
 #include "nprCurvaturePipeline.h"
+#include "nprLengthScale.h"
 #include "vtkNPRSurfaceRefinement.h"
 
 #include <vtkFloatArray.h>
@@ -214,6 +215,55 @@ void TestCan(Checks& check)
     output->GetNumberOfCells());
 }
 
+/// Edges by how far they are from the surface: a long can gets no rings around its axis.
+void TestChordError(Checks& check)
+{
+  constexpr int Sides = 12;
+  Refined can(MakeCan(1.0, 40.0, Sides));
+  can.Refinement->SetMaximumEdgeLength(0.0);
+  const double scale = npr::GetLengthScale(can.Update());
+  vtkIdType last = 2 * can.Stages.Preparation->GetOutput()->GetNumberOfCells();
+  for (const double chordError : { 4e-3, 1e-3, 2.5e-4 })
+  {
+    can.Refinement->SetMaximumChordError(chordError / scale);
+    vtkPolyData* output = can.Update();
+    CheckClosed(output, "long can", check);
+    npr::TriangleMesh mesh(output);
+    double largest = 0.0;
+    for (const auto& corners : mesh.GetTriangles())
+    {
+      for (int e = 0; e < 3; ++e)
+      {
+        const Vector3d normal = GetTuple<3>(output, npr::names::Normals, corners[e]);
+        const Vector3d middle = mesh.GetOrigin() +
+          0.5 * (mesh.GetPoint(corners[e]) + mesh.GetPoint(corners[(e + 1) % 3])).cast<double>();
+        if (std::abs(normal.z()) < 0.5)
+        {
+          largest = std::max(largest, std::abs(std::hypot(middle.x(), middle.y()) - 1.0));
+        }
+      }
+    }
+    std::cout << "long can, chord error " << chordError << ": " << output->GetNumberOfCells()
+              << " triangles, largest error " << largest << "\n";
+    // As exact as the normal at the middle of a circle's edge was taken to be.
+    check(largest < 1.01 * chordError, "no edge is farther from the can", largest);
+    // A quarter of the error takes half of the edges around the can, and no shorter ones along it.
+    check(output->GetNumberOfCells() > last && output->GetNumberOfCells() < 5 * last,
+      "no more triangles than that needs", output->GetNumberOfCells());
+    check(output->GetNumberOfCells() < 4000, "long edges along the can stay",
+      output->GetNumberOfCells());
+    last = output->GetNumberOfCells();
+  }
+  // Both limits hold together; what is shorter than the least length stays.
+  can.Refinement->SetMaximumChordError(1e-3 / scale);
+  const vtkIdType without = can.Update()->GetNumberOfCells();
+  can.Refinement->SetMaximumTurn(3.0);
+  check(can.Update()->GetNumberOfCells() > without, "a turn asks for more");
+  can.Refinement->SetMaximumEdgeLength(100.0 / scale);
+  check(can.Update()->GetNumberOfCells() == can.Stages.Preparation->GetOutput()->GetNumberOfCells(),
+    "no edge is longer than that");
+}
+
 void TestFlat(Checks& check)
 {
   Refined cube(MakeCube());
@@ -374,6 +424,7 @@ int TestSurfaceRefinement(int, char*[])
   TestSphere(check);
   TestTurn(check);
   TestCan(check);
+  TestChordError(check);
   TestFlat(check);
   TestArrays(check);
   TestDerivatives(check);
