@@ -36,6 +36,10 @@ inline constexpr const char* UnknownCurvature = "UnknownCurvature"; // 1, 1 with
 /// The point of the welded surface that a point is a copy of, where the preparation split a crease.
 inline constexpr const char* WeldedPointIds = "WeldedPointIds"; // 1
 
+// Cell arrays of surfaces.
+/// How exact the surface is: how far triangles were, before a refinement, from the smooth surface.
+inline constexpr const char* ChordError = "ChordError"; // 1, length
+
 // Field data of surfaces.
 inline constexpr const char* LengthScale = "LengthScale"; // 1 tuple; length
 /// What the preparation found and did: a component with a name for each count.

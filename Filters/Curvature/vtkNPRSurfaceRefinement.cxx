@@ -3,6 +3,7 @@
 #include "vtkNPRSurfaceRefinement.h"
 
 #include "nprArrayNames.h"
+#include "nprChordErrors.h"
 #include "nprCurvature.h"
 #include "nprGhostLevels.h"
 #include "nprLengthScale.h"
@@ -17,6 +18,7 @@
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -123,6 +125,22 @@ void SetPointGhosts(const npr::RefinedSurface& refined, vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+void SetChordErrors(
+  const npr::TriangleMesh& coarse, const npr::RefinedSurface& refined, vtkPolyData* surface)
+{
+  const std::vector<float> errors = npr::MeasureChordErrors(coarse,
+    { refined.Normals.begin(), refined.Normals.begin() + refined.GetNumberOfCoarsePoints() });
+  vtkNew<vtkFloatArray> array;
+  array->SetName(npr::names::ChordError);
+  array->SetNumberOfValues(static_cast<vtkIdType>(refined.SourceTriangles.size()));
+  for (std::size_t t = 0; t < refined.SourceTriangles.size(); ++t)
+  {
+    array->SetValue(static_cast<vtkIdType>(t), errors[refined.SourceTriangles[t]]);
+  }
+  surface->GetCellData()->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
 void SetPointArrays(vtkPointData* input, const npr::RefinedSurface& refined, vtkPolyData* surface)
 {
   vtkPointData* output = surface->GetPointData();
@@ -221,6 +239,10 @@ bool vtkNPRSurfaceRefinement::Compute(vtkPolyData* input, vtkPolyData* output, b
     cells[i] = mesh.GetCellId(refined.SourceTriangles[i]);
   }
   npr::SelectTuples(input->GetCellData(), cells, output->GetCellData());
+  if (!input->GetCellData()->HasArray(npr::names::ChordError))
+  {
+    SetChordErrors(mesh, refined, output);
+  }
   output->GetFieldData()->PassData(input->GetFieldData());
   if (!isPiece) // whose own is not the whole's
   {

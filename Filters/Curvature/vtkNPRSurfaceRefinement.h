@@ -15,7 +15,10 @@
  * follow. Point arrays are interpolated linearly (integers other than bytes taken from one end);
  * the curvature tensor and its derivatives are turned into the tangent planes of the new points,
  * and what follows from the tensor computed anew. PointArea and NeighbourhoodRadius, which belong
- * to the coarse triangles, are dropped. Cell arrays pass to all parts of a cell.
+ * to the coarse triangles, are dropped. Cell arrays pass to all parts of a cell. A cell array
+ * ChordError tells, unless the input has it, how far the coarse triangle was from the smooth
+ * surface: what the refinement does about that is a guess, and bodies that touch by so much may
+ * not be told apart.
  *
  * Pieces of a surface are refined alike where they meet: the filter asks for the ghost levels that
  * it needs, and drops them. But MaximumNumberOfTriangles holds for each piece, and the input should

@@ -3,10 +3,13 @@
 #include "nprHidingSurfaces.h"
 
 #include "nprArrayNames.h"
+#include "nprChordErrors.h"
 #include "nprTupleArrays.h"
 #include "nprWeldedPoints.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -18,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -27,61 +31,34 @@ namespace
 {
 using Index = TriangleMesh::Index;
 
-constexpr double LeastAgreement = 0.5; // cosine between the normals at the ends of a curve
-
-/// A surface of triangles, and how far each is from the smooth one that the normals describe.
+/// A surface of triangles, and how exact they are.
 struct ReadSurface
 {
   TriangleMesh Mesh;
   std::vector<float> ChordErrors;
 };
 
-/// From the middle of a chord to the curve that leaves its ends at right angles to their normals
-/// (A. Vlachos et al., "Curved PN Triangles", I3D 2001).
-Eigen::Vector3f GetSagitta(
-  const Eigen::Vector3f& chord, const Eigen::Vector3f& n0, const Eigen::Vector3f& n1)
+std::vector<float> GetChordErrors(const TriangleMesh& mesh, vtkPolyData* surface)
 {
-  return 0.125f * (chord.dot(n1) * n1 - chord.dot(n0) * n0);
-}
-
-std::vector<float> MeasureChordErrors(
-  const TriangleMesh& mesh, vtkPolyData* surface, const Eigen::Matrix3d& linear)
-{
-  std::vector<float> errors(mesh.GetNumberOfTriangles(), 0.0f);
-  vtkDataArray* const array = surface->GetPointData()->GetArray(names::Normals);
-  if (!array || array->GetNumberOfComponents() != 3)
+  vtkDataArray* const known = surface->GetCellData()->GetArray(names::ChordError);
+  if (known && known->GetNumberOfComponents() == 1)
   {
+    std::vector<float> errors(mesh.GetNumberOfTriangles());
+    for (Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+    {
+      const auto error = static_cast<float>(known->GetComponent(mesh.GetCellId(t), 0));
+      errors[t] = std::isfinite(error) ? std::max(error, 0.0f) : 0.0f;
+    }
     return errors;
   }
-  const Tuples<3> normals = ReadTuples<3>(array);
-  const Eigen::Matrix3f toWorld = linear.cast<float>();
-  vtkSMPTools::For(0, mesh.GetNumberOfTriangles(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto t = static_cast<Index>(begin); t < end; ++t)
-      {
-        const TriangleMesh::Triangle& corners = mesh.GetTriangle(t);
-        for (int e = 0; e < 3; ++e)
-        {
-          const Index from = corners[e];
-          const Index to = corners[(e + 1) % 3];
-          const Eigen::Vector3f& n0 = normals[from];
-          const Eigen::Vector3f& n1 = normals[to];
-          const float error =
-            (toWorld * GetSagitta(mesh.GetPoint(to) - mesh.GetPoint(from), n0, n1)).norm();
-          // No error either, where they are no numbers.
-          if (n0.dot(n1) > LeastAgreement && error > errors[t])
-          {
-            errors[t] = error;
-          }
-        }
-      }
-    });
-  return errors;
+  vtkDataArray* const normals = surface->GetPointData()->GetArray(names::Normals);
+  return normals && normals->GetNumberOfComponents() == 3
+    ? MeasureChordErrors(mesh, ReadTuples<3>(normals))
+    : std::vector<float>(mesh.GetNumberOfTriangles(), 0.0f);
 }
 
 /// The triangles of a surface that may have other polygons and strips.
-ReadSurface ReadTriangles(vtkPolyData* surface, const Eigen::Matrix3d& linear)
+ReadSurface ReadTriangles(vtkPolyData* surface)
 {
   vtkNew<vtkTriangleFilter> triangulate;
   const bool isTriangulated =
@@ -97,7 +74,7 @@ ReadSurface ReadTriangles(vtkPolyData* surface, const Eigen::Matrix3d& linear)
     surface = triangulate->GetOutput();
   }
   TriangleMesh mesh(surface);
-  std::vector<float> errors = MeasureChordErrors(mesh, surface, linear);
+  std::vector<float> errors = GetChordErrors(mesh, surface);
   if (!surface->GetPointData()->HasArray(names::WeldedPointIds))
   {
     return { std::move(mesh), std::move(errors) };
@@ -146,10 +123,13 @@ HidingSurfaces::HidingSurfaces(const std::vector<Surface>& surfaces)
   {
     if (surface.Data->GetNumberOfPoints() > 0)
     {
-      auto [mesh, errors] = ReadTriangles(surface.Data, surface.ToWorld.topLeftCorner<3, 3>());
+      auto [mesh, errors] = ReadTriangles(surface.Data);
       mesh.BuildNeighbours();
       this->Append(mesh, surface.ToWorld);
-      this->ChordErrors.insert(this->ChordErrors.end(), errors.begin(), errors.end());
+      const auto scale =
+        static_cast<float>(surface.ToWorld.topLeftCorner<3, 3>().colwise().norm().maxCoeff());
+      std::transform(errors.begin(), errors.end(), std::back_inserter(this->ChordErrors),
+        [scale](float error) { return scale * error; });
     }
   }
   this->Points.emplace_back(Eigen::Vector3f::Zero());

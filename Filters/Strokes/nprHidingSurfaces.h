@@ -59,8 +59,8 @@ public:
     return this->IsOriented || this->CompareOrientation(triangle, edge);
   }
 
-  /// How far a triangle may be from the smooth surface that the normals (point array Normals) at
-  /// its corners describe. 0 without normals.
+  /// How far a triangle may be from the smooth surface: its cell array ChordError, or else as the
+  /// point array Normals says. 0 without them.
   double GetChordError(Index triangle) const { return this->ChordErrors[triangle]; }
   double GetLargestChordError() const { return this->LargestChordError; }
   /// The same for all triangles that are connected by edges.

@@ -22,10 +22,12 @@
  * each other. So a triangle of another body (one that no edges connect with the surface that the
  * stroke lies on) is no layer either where its plane is no farther from the point than the chord
  * errors of both together, at most 4 pixels, and the triangle itself no farther than 5 times that.
- * The chord error of a triangle is the farthest that the smooth surface, which its point array
+ * The chord error of a triangle is the surface's cell array ChordError, as from
+ * vtkNPRSurfaceRefinement; or else the farthest that the smooth surface, which the point array
  * Normals describes, is from the middle of one of its edges: an eighth of the edge's length times
- * the angle between the normals. It is 0 without normals, of flat faces, and of edges whose normals
- * differ by more than 60 degrees. Both sides of a wall are one body: it hides, however thin it is.
+ * the angle between the normals. It is 0 without these arrays, of flat faces, and of edges whose
+ * normals differ by more than 60 degrees. Both sides of a wall are one body: it hides, however thin
+ * it is.
  *
  * @par The surface that a stroke lies on
  * A point lies on the triangle nearest to it if that is within 0.1 of the triangle's size (the root

@@ -9,6 +9,7 @@
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
@@ -66,12 +67,14 @@ public:
       ids[i] = found->second;
     }
     vtkDataArray* const normals = surface->GetPointData()->GetArray("Normals");
+    vtkDataArray* const exactness = surface->GetCellData()->GetArray("ChordError");
     vtkNew<vtkIdList> corners;
     for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
     {
       surface->GetPolys()->GetCellAtId(cell, corners);
-      this->ChordErrors.push_back(
-        normals ? GetChordError(surface, normals, corners, toWorld) : 0.0);
+      this->ChordErrors.push_back(exactness ? exactness->GetComponent(cell, 0)
+          : normals                         ? GetChordError(surface, normals, corners, toWorld)
+                                            : 0.0);
       this->Triangles.push_back(
         { ids[corners->GetId(0)], ids[corners->GetId(1)], ids[corners->GetId(2)] });
     }
