@@ -70,7 +70,7 @@ std::string AddDrawing(
   const auto writer =
     drawing.MakeWriter(file, options.View.Parse().IsParallel, options.View.GetSize());
   style->LoadBuiltIn("ink");
-  job.RunDrawing(style, writer, file, false, false);
+  job.RunDrawing(style, writer, file, DrawingShading::None, false);
   if (!reporter.Quiet)
   {
     std::printf("%s\n", file.c_str());

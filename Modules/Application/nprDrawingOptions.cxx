@@ -169,9 +169,10 @@ void DrawingOptions::AddTo(CLI::App& command)
       ->capture_default_str(),
     command
       .add_option("--shading", this->Shading,
-        "What lies below the lines: image (a picture of the shading), none, or auto: an image "
-        "where the style shades and no hidden lines are drawn")
-      ->check(CLI::IsMember({ "auto", "image", "none" }))
+        "What lies below the lines: image (a picture of the shading), tones (filled areas, of "
+        "toon shading), none, or auto: an image where the style shades and no hidden lines are "
+        "drawn")
+      ->check(CLI::IsMember({ "auto", "image", "tones", "none" }))
       ->capture_default_str(),
   };
   for (CLI::Option* const option : this->Given)
@@ -253,11 +254,22 @@ vtkSmartPointer<vtkNPRDrawingWriter> DrawingOptions::MakeWriter(
 }
 
 //------------------------------------------------------------------------------
-bool DrawingOptions::WantsShading(vtkNPRIllustrationStyle* style) const
+DrawingShading DrawingOptions::GetShading(vtkNPRIllustrationStyle* style) const
 {
+  if (this->Shading == "tones")
+  {
+    if (!style->HasShading())
+    {
+      throw CommandError(UsageError,
+        "--shading tones needs a style that shades, and '" + style->GetName() +
+          "' does not; take --style toon");
+    }
+    return DrawingShading::Tones;
+  }
   // What is hidden is not seen through a shaded surface.
-  return this->Shading == "image" ||
+  const bool isImage = this->Shading == "image" ||
     (this->Shading == "auto" && this->Hidden == "none" && style->HasShading());
+  return isImage ? DrawingShading::Image : DrawingShading::None;
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,14 @@ namespace npr
 /// Whether a file's name is that of a vector drawing.
 bool IsDrawingFile(const std::string& file);
 
+/// What lies below the lines of a drawing.
+enum class DrawingShading
+{
+  None,
+  Image, // a picture
+  Tones  // filled areas
+};
+
 struct DrawingOptions
 {
   std::string Hidden = "none";
@@ -46,8 +54,8 @@ struct DrawingOptions
   vtkSmartPointer<vtkNPRDrawingWriter> MakeWriter(
     const std::string& file, bool isParallel, const std::array<int, 2>& size) const;
 
-  /// Whether a picture of the shading is to lie below the lines.
-  bool WantsShading(vtkNPRIllustrationStyle* style) const;
+  /// Throws a CommandError for tones of a style that does not shade.
+  DrawingShading GetShading(vtkNPRIllustrationStyle* style) const;
 
   /// For a drawing to scale: turn the paper, and make the renderer's window and view as large as
   /// the room on it. Throws a CommandError when there is too little of it.

@@ -51,9 +51,9 @@ void Render(const RenderOptions& options, Reporter& reporter)
   }
   vtkNew<vtkNPRIllustrationStyle> style;
   options.Style.ApplyTo(style, reporter);
-  const bool withShading = drawing && options.Drawing.WantsShading(style);
+  const DrawingShading shading = drawing ? options.Drawing.GetShading(style) : DrawingShading::None;
 
-  RenderJob job(reporter, size, !drawing || withShading);
+  RenderJob job(reporter, size, !drawing || shading != DrawingShading::None);
   reporter.BeginStage("read");
   options.Models.Import(job.GetRenderer(), reporter);
   reporter.EndStage();
@@ -61,7 +61,7 @@ void Render(const RenderOptions& options, Reporter& reporter)
   if (drawing)
   {
     options.Drawing.FitViewToPage(job.GetRenderer(), drawing);
-    job.RunDrawing(style, drawing, options.Output, withShading, options.Style.IsTransparent());
+    job.RunDrawing(style, drawing, options.Output, shading, options.Style.IsTransparent());
   }
   else
   {

@@ -26,6 +26,8 @@ namespace
 // Of the picture's shorter side, a tenth of a line's width: what is smaller is the mesh's shape.
 // Drawings to scale are as exact as the writer's default.
 constexpr double ToleranceOfPen = 0.0003;
+constexpr int FinenessOfTones = 2;        // times as many pixels each way
+constexpr int LargestSideOfTones = 16384; // that graphics have
 }
 
 //------------------------------------------------------------------------------
@@ -170,13 +172,33 @@ vtkSmartPointer<vtkImageData> RenderJob::DrawShading(bool transparent)
 }
 
 //------------------------------------------------------------------------------
-void RenderJob::RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* writer,
-  const std::string& file, bool withShading, bool transparent)
+vtkSmartPointer<vtkImageData> RenderJob::DrawTones()
 {
-  this->Apply(style);
-  if (withShading)
+  const int* const known = this->Window->GetSize();
+  const std::array<int, 2> size = { known[0], known[1] };
+  // Not antialiased: where one thing hides another, their mean is neither's tone.
+  this->Window->SetMultiSamples(0);
+  const int factor =
+    std::max(size[0], size[1]) <= LargestSideOfTones / FinenessOfTones ? FinenessOfTones : 1;
+  this->Window->SetSize(factor * size[0], factor * size[1]);
+  const vtkSmartPointer<vtkImageData> image = this->DrawShading(true);
+  this->Window->SetSize(size[0], size[1]);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void RenderJob::RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* writer,
+  const std::string& file, DrawingShading shading, bool transparent)
+{
+  if (shading == DrawingShading::Tones)
   {
-    writer->SetImage(this->DrawShading(transparent));
+    style->SetOutline(vtkNPRIllustrationStyle::NoOutline); // it is no tone
+  }
+  this->Apply(style);
+  if (shading != DrawingShading::None)
+  {
+    shading == DrawingShading::Image ? writer->SetImage(this->DrawShading(transparent))
+                                     : writer->SetTones(this->DrawTones());
     this->Output.AddStage("shade", this->Output.StopClock());
   }
   vtkNew<vtkPolyData> strokes;
@@ -201,7 +223,8 @@ void RenderJob::RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* 
       writer->Write();
       if (writer->GetErrorCode() == vtkErrorCode::UserError)
       {
-        this->Output.ThrowOnVTKError(OtherError);
+        // The page has been checked; a picture that is not flat has not.
+        this->Output.ThrowOnVTKError(shading == DrawingShading::Tones ? UsageError : OtherError);
       }
       this->Output.DropVTKErrors(); // who writes whole files says it
       return writer->GetErrorCode() == vtkErrorCode::NoError;

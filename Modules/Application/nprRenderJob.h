@@ -7,6 +7,8 @@
 #ifndef nprRenderJob_h
 #define nprRenderJob_h
 
+#include "nprDrawingOptions.h"
+
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
@@ -44,10 +46,10 @@ public:
   /// Illustrate what the renderer shows and write it. May be called again with another style.
   void Run(vtkNPRIllustrationStyle* style, const std::string& file, bool transparent);
 
-  /// Illustrate what the renderer shows and write it as a vector drawing, with a picture of the
-  /// shading below if asked. The writer has its page.
+  /// Illustrate what the renderer shows and write it as a vector drawing, with what is asked for
+  /// below. The writer has its page.
   void RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* writer,
-    const std::string& file, bool withShading, bool transparent);
+    const std::string& file, DrawingShading shading, bool transparent);
 
   /// @name The steps of Run() but the last, for those who draw more than one picture
   ///@{
@@ -60,6 +62,7 @@ public:
 private:
   void AddIllustrationStages();
   vtkSmartPointer<vtkImageData> DrawShading(bool transparent);
+  vtkSmartPointer<vtkImageData> DrawTones();
   vtkSmartPointer<vtkImageData> DrawWithoutPaper();
 
   Reporter& Output;

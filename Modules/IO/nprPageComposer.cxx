@@ -9,6 +9,7 @@
 #include "nprScaleBar.h"
 #include "nprStrokeInput.h"
 #include "nprStrokeOutline.h"
+#include "nprToneRegions.h"
 #include "vtkNPRDrawingStyle.h"
 
 #include <vtkCamera.h>
@@ -33,6 +34,10 @@ constexpr double ThinningShare = 0.25;
 constexpr double BendTolerance = 0.1;
 // Shorter pieces of hidden lines are not worth a cut; millimetres.
 constexpr double LeastHidden = 1.0;
+// What is smaller than a square of this is no tone, but dirt.
+constexpr double LeastSpotInTolerances = 10.0;
+// No border of tones is known more exactly.
+constexpr double ToneToleranceInPixels = 0.5;
 // Of the width of a stroke; millimetres a millimetre of the way.
 constexpr double WidthSlope = 0.2;
 
@@ -65,6 +70,19 @@ std::string SizeText(double width, double height)
   return NumberText(width) + " x " + NumberText(height);
 }
 
+/// Of a closed polygon.
+double GetArea(const std::vector<PagePoint>& points)
+{
+  double twice = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const PagePoint& here = points[i];
+    const PagePoint& next = points[(i + 1) % points.size()];
+    twice += here.x() * next.y() - here.y() * next.x();
+  }
+  return 0.5 * std::abs(twice);
+}
+
 std::vector<PageChain> CutAll(
   const std::vector<PageChain>& chains, const LineCover& cover, double distance, double least)
 {
@@ -95,12 +113,14 @@ void CheckRequest(const PageRequest& request)
   Require(IsPositive(request.Scale) && IsPositive(request.MillimetresPerUnit),
     "Scale is " + NumberText(request.Scale) + " and MillimetresPerUnit " +
       NumberText(request.MillimetresPerUnit) + "; both must be positive.");
-  Require(!request.Image ||
-      (request.Image->GetScalarType() == VTK_UNSIGNED_CHAR &&
-        request.Image->GetNumberOfScalarComponents() <= 4 &&
-        request.Image->GetNumberOfPoints() > 0 && request.Image->GetDimensions()[2] == 1),
-    "The image below the strokes must have one layer of pixels, of 1 to 4 unsigned chars each, as "
-    "vtkWindowToImageFilter gives it.");
+  for (vtkImageData* const image : { request.Image, request.Tones })
+  {
+    Require(!image ||
+        (image->GetScalarType() == VTK_UNSIGNED_CHAR && image->GetNumberOfScalarComponents() <= 4 &&
+          image->GetNumberOfPoints() > 0 && image->GetDimensions()[2] == 1),
+      "The image below the strokes must have one layer of pixels, of 1 to 4 unsigned chars each, "
+      "as vtkWindowToImageFilter gives it.");
+  }
   const bool parallel = request.Camera->GetParallelProjection();
   Require(parallel || request.Fit != PageFit::TrueScale,
     "A drawing to scale needs a parallel projection: in perspective, what is far away is smaller, "
@@ -139,6 +159,7 @@ public:
     std::vector<LayerPlan> plans = this->PlanLayers();
     this->PlacePicture(plans, drawing, warnings);
     this->TellFacts(drawing);
+    this->FillTones(drawing);
     this->ChooseHiddenLines(plans, drawing.Area);
     for (LayerPlan& plan : plans)
     {
@@ -295,6 +316,42 @@ private:
     facts.emplace_back("camera-view-up", triple(camera->GetViewUp()));
     facts.emplace_back("viewport",
       std::to_string(this->Request.Viewport[0]) + " " + std::to_string(this->Request.Viewport[1]));
+  }
+
+  void FillTones(PageDrawing& drawing) const
+  {
+    if (!this->Request.Tones)
+    {
+      return;
+    }
+    const int* const size = this->Request.Tones->GetDimensions();
+    const PagePoint pixel = drawing.ImagePlace.GetSize().cwiseQuotient(PagePoint(size[0], size[1]));
+    FitSettings fit = this->Fit;
+    fit.Tolerance = std::max(fit.Tolerance, ToneToleranceInPixels * std::max(pixel.x(), pixel.y()));
+    fit.BendTolerance = std::max(fit.BendTolerance, fit.Tolerance);
+    const double leastArea = std::pow(LeastSpotInTolerances * this->Request.Tolerance, 2.0);
+    for (const ToneRegion& region : FindToneRegions(this->Request.Tones))
+    {
+      PageTone tone{ region.Color, {} };
+      for (const std::vector<Eigen::Vector2d>& loop : region.Loops)
+      {
+        PageChain chain;
+        chain.Closed = true;
+        for (const Eigen::Vector2d& place : loop)
+        {
+          chain.Points.push_back(drawing.ImagePlace.Least + pixel.cwiseProduct(place));
+        }
+        if (GetArea(chain.Points) >= leastArea)
+        {
+          ThinChain(chain, fit.Tolerance);
+          FitChain(chain, fit, tone.Path);
+        }
+      }
+      if (!tone.Path.Commands.empty())
+      {
+        drawing.Tones.push_back(std::move(tone));
+      }
+    }
   }
 
   /// Blocks of strokes are drawn by threads and put together in order.

@@ -57,6 +57,7 @@ struct PageRequest
   double CornerAngle = 45.0; // degrees
   vtkNPRDrawingStyle* Style = nullptr;
   vtkImageData* Image = nullptr;
+  vtkImageData* Tones = nullptr;
   std::string Title;
   std::string Date;
 };

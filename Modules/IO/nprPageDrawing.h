@@ -15,6 +15,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,18 +55,33 @@ struct PageLayer
   std::vector<PageText> Texts;
 };
 
+/// An area of one colour, filled by the even-odd rule.
+struct PageTone
+{
+  std::array<double, 3> Color;
+  PagePath Path;
+};
+
 struct PageDrawing
 {
   double Width = 0.0;
   double Height = 0.0;
-  PageRectangle Area; // what is drawn on; an image ends there
+  PageRectangle Area; // what is drawn on; an image and tones end there
   std::string Title;
   std::string Date;                                       // ISO 8601; none if empty
   std::vector<std::pair<std::string, std::string>> Facts; // such as the scale and the camera
   vtkSmartPointer<vtkImageData> Image;                    // below all layers; may be null
   PageRectangle ImagePlace;
+  std::vector<PageTone> Tones;   // above the image, the first one lowest
   std::vector<PageLayer> Layers; // the first one lowest
   double Resolution = 0.001;     // places need not be told more finely
+
+  /// What of the picture is drawn on.
+  PageRectangle GetPictureArea() const
+  {
+    return { this->Area.Least.cwiseMax(this->ImagePlace.Least),
+      this->Area.Most.cwiseMin(this->ImagePlace.Most) };
+  }
 };
 }
 

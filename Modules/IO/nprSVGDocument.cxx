@@ -116,6 +116,21 @@ void AddImage(const PageDrawing& drawing, std::string& text)
   text += "\"/>\n</g>\n";
 }
 
+void AddTones(const PageDrawing& drawing, int decimals, std::string& text)
+{
+  // What reaches the picture's border goes on beyond it.
+  text += "<clipPath id=\"picture\"><rect" + RectangleAttributes(drawing.GetPictureArea()) +
+    "/></clipPath>\n" + LayerStart("tones") +
+    " fill-rule=\"evenodd\" clip-path=\"url(#picture)\">\n";
+  for (const PageTone& tone : drawing.Tones)
+  {
+    text += "<path" + Attribute("fill", ColorText(tone.Color)) + " d=\"";
+    SVGPathText(decimals, text).Add(tone.Path, 0, tone.Path.Commands.size(), 0);
+    text += "\"/>\n";
+  }
+  text += "</g>\n";
+}
+
 void AddLayer(const PageLayer& layer, int decimals, std::string& text)
 {
   const char* const caps[] = { "butt", "round", "square" };
@@ -222,6 +237,10 @@ std::string EncodeSVG(const PageDrawing& drawing)
   }
   const int decimals =
     std::clamp(static_cast<int>(std::lround(-std::log10(drawing.Resolution))), 0, 9);
+  if (!drawing.Tones.empty())
+  {
+    AddTones(drawing, decimals, text);
+  }
   for (const PageLayer& layer : drawing.Layers)
   {
     AddLayer(layer, decimals, text);

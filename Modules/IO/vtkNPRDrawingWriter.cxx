@@ -71,6 +71,20 @@ vtkImageData* vtkNPRDrawingWriter::GetImage() const
   return this->Image;
 }
 
+void vtkNPRDrawingWriter::SetTones(vtkImageData* tones)
+{
+  if (this->Tones != tones)
+  {
+    this->Tones = tones;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkNPRDrawingWriter::GetTones() const
+{
+  return this->Tones;
+}
+
 //------------------------------------------------------------------------------
 void vtkNPRDrawingWriter::SetPageSize(double width, double height)
 {
@@ -146,6 +160,7 @@ npr::PageRequest vtkNPRDrawingWriter::MakeRequest()
   request.CornerAngle = this->CornerAngle;
   request.Style = this->Style;
   request.Image = this->Image;
+  request.Tones = this->Tones;
   request.Title = this->Title;
   request.Date = this->Date;
   return request;
@@ -225,6 +240,7 @@ void vtkNPRDrawingWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "Image: " << this->Image.Get() << "\n";
+  os << indent << "Tones: " << this->Tones.Get() << "\n";
   os << indent << "Title: " << this->Title << "\n";
   os << indent << "Date: " << this->Date << "\n";
 }

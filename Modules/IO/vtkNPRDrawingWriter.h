@@ -212,6 +212,21 @@ public:
   ///@}
 
   ///@{
+  /**
+   * A picture of the whole viewport in flat tones, such as toon shading without lines, to lie below
+   * the strokes as filled areas with smooth borders. It may have more pixels than the viewport:
+   * twice as many each way make good borders. Unsigned chars of 1 to 4 components, where an even
+   * number has an opacity last; nothing is drawn where that is below a half. Default: null.
+   *
+   * Its tones are the colours of at least two thousandths of its opaque pixels, at most 24; they
+   * have to be two thirds of it. Others, such as those of antialiased borders, count as means of
+   * two. Spots and gaps of less than a square of ten Tolerances are left out.
+   */
+  virtual void SetTones(vtkImageData* tones);
+  vtkImageData* GetTones() const;
+  ///@}
+
+  ///@{
   /** The drawing's title, in UTF-8. Default: empty. */
   vtkSetMacro(Title, std::string);
   vtkGetMacro(Title, std::string);
@@ -266,6 +281,7 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkNPRDrawingStyle> Style;
   vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkImageData> Tones;
 };
 
 #endif

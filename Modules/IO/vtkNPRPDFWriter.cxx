@@ -156,6 +156,23 @@ void DrawImage(cairo_t* context, const npr::PageDrawing& drawing)
   cairo_surface_finish(surface.get()); // before the pixels go
 }
 
+void DrawTones(cairo_t* context, const npr::PageDrawing& drawing)
+{
+  const npr::PageRectangle area = drawing.GetPictureArea();
+  const npr::PagePoint size = area.GetSize();
+  cairo_save(context);
+  cairo_rectangle(context, area.Least.x(), area.Least.y(), size.x(), size.y());
+  cairo_clip(context);
+  cairo_set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
+  for (const npr::PageTone& tone : drawing.Tones)
+  {
+    cairo_set_source_rgb(context, tone.Color[0], tone.Color[1], tone.Color[2]);
+    AddPath(context, tone.Path, 0, tone.Path.Commands.size(), 0);
+    cairo_fill(context);
+  }
+  cairo_restore(context);
+}
+
 void TellMetadata(cairo_surface_t* surface, const npr::PageDrawing& drawing)
 {
   std::string subject;
@@ -184,6 +201,7 @@ std::string vtkNPRPDFWriter::Encode(const npr::PageDrawing& drawing)
   {
     DrawImage(context.get(), drawing);
   }
+  DrawTones(context.get(), drawing);
   for (const npr::PageLayer& layer : drawing.Layers)
   {
     DrawLayer(context.get(), layer);

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """npr render writes vector drawings: layers, hidden lines, true scale, and what it refuses."""
 
+import math
 import os
 import re
 import subprocess
@@ -23,6 +24,24 @@ def box(x, y, z):
     faces = ((1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6))
     lines = [f"v {x * a} {y * b} {z * c}" for a, b, c in corners]
     return "\n".join(lines + ["f " + " ".join(map(str, face)) for face in faces]) + "\n"
+
+
+def ball(rows):
+    """An OBJ file of a sphere, of quadrilaterals but for its poles."""
+    columns = 2 * rows
+    text = ["v 0 1 0", "v 0 -1 0"]
+    for row in range(1, rows):
+        down = math.pi * row / rows
+        for column in range(columns):
+            around = 2 * math.pi * column / columns
+            text.append(f"v {math.sin(down) * math.sin(around)} {math.cos(down)} {math.sin(down) * math.cos(around)}")
+    for column in range(columns):
+        here, after = 3 + column, 3 + (column + 1) % columns
+        last = (rows - 2) * columns
+        text += [f"f 1 {here} {after}", f"f 2 {last + after} {last + here}"]
+        for row in range(0, last, columns):
+            text.append(f"f {row + here} {row + columns + here} {row + columns + after} {row + after}")
+    return "\n".join(text) + "\n"
 
 
 def path_points(data):
@@ -222,22 +241,40 @@ class TestDrawings(CommandTest):
         self.refuse(words + ["1:1"], USAGE, "400 x 300 mm", "277 x 190 mm", "1:2", model=model)
         self.draw(model, *words, "1:2", "--style", "ink")
 
+    def test_tones(self):
+        model = self.write("ball.obj", ball(24))
+        drawing = self.draw(model, "--style", "toon", "--shading", "tones")
+        self.assertFalse(drawing.has_image)
+        self.assertEqual(list(drawing.layers)[0], "tones")
+        fills = [path.get("fill") for path in drawing.layers["tones"].iter(SVG + "path")]
+        self.assertEqual(fills, ["#e8a15c", "#b57e48", "#795430"])  # 1, 0.78 and 0.52 of the style's colour
+        with open(self.path("drawing.svg")) as file:
+            self.assertLess(len(file.read()), 15000)
+        dashed = self.draw(model, "--style", "toon", "--shading", "tones", "--hidden", "dashed", "--outline", "back-faces")
+        self.assertEqual(len(list(dashed.layers["tones"].iter(SVG + "path"))), 3)
+        self.refuse(["--style", "ink", "--shading", "tones"], USAGE, "toon", name="refused.svg")
+        self.refuse(["--style", "technical", "--shading", "tones"], USAGE, "toon", name="refused.svg", model=model)
+
     def test_pixels_are_those_of_images(self):
         """Five pixels to a millimetre; the page has margins of 10 mm around the picture."""
-        words = ["--style", "ink", "--size", "800x600"]
-        model = self.write("box.obj", box(4, 3, 2))
-        self.run_well("render", model, "-o", self.image, *words)
-        self.draw(model, *words, "--paper", "180x140")
-        page = self.path("page.png")
-        subprocess.run([RSVG_CONVERT, "-b", "white", "-d", "127", "-p", "127", self.path("drawing.svg"), "-o", page],
-                       check=True)
-        width, height, channels, rows = read_png(page)
-        self.assertEqual((width, height), (900, 700))
-        picture = [row[50 * channels : 850 * channels] for row in rows[50:650]]
-        write_png(page, 800, 600, channels, picture)
-        result = subprocess.run([COMPARE, self.image, page, "--ink-amount", "0.1", "--local-ssim", "0.6"],
-                                capture_output=True, text=True)
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        for words, model in (
+            (["--style", "ink"], self.write("box.obj", box(4, 3, 2))),
+            (["--style", "toon", "--shading", "tones"], self.write("ball.obj", ball(24))),
+        ):
+            with self.subTest(words=words):
+                size = ["--size", "800x600"]
+                self.run_well("render", model, "-o", self.image, *words[:2], *size)
+                self.draw(model, *words, *size, "--paper", "180x140")
+                page = self.path("page.png")
+                subprocess.run([RSVG_CONVERT, "-b", "white", "-d", "127", "-p", "127", self.path("drawing.svg"), "-o", page],
+                               check=True)
+                width, height, channels, rows = read_png(page)
+                self.assertEqual((width, height), (900, 700))
+                picture = [row[50 * channels : 850 * channels] for row in rows[50:650]]
+                write_png(page, 800, 600, channels, picture)
+                result = subprocess.run([COMPARE, self.image, page, "--ink-amount", "0.1", "--local-ssim", "0.6"],
+                                        capture_output=True, text=True)
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
 
 if __name__ == "__main__":

@@ -85,6 +85,26 @@ vtkSmartPointer<vtkImageData> MakeImage()
   return image;
 }
 
+/// A ring of one tone in another, in the lower right corner.
+vtkSmartPointer<vtkImageData> MakeTones()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(400, 300, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < 300; ++y)
+  {
+    for (int x = 0; x < 400; ++x, pixel += 4)
+    {
+      const double radius = std::hypot(x - 330.0, y - 80.0);
+      pixel[0] = pixel[1] = static_cast<unsigned char>(radius > 30 && radius < 60 ? 180 : 230);
+      pixel[2] = 200;
+      pixel[3] = static_cast<unsigned char>(radius < 90 ? 255 : 0);
+    }
+  }
+  return image;
+}
+
 bool Write(vtkNPRDrawingWriter* writer, const std::string& file)
 {
   vtkNew<vtkNPRDrawingStyle> style;
@@ -101,6 +121,7 @@ bool Write(vtkNPRDrawingWriter* writer, const std::string& file)
   writer->SetMargin(5);
   writer->SetHiddenLines(vtkNPRDrawingWriter::HIDDEN_LINES_DASHED);
   writer->SetImage(MakeImage());
+  writer->SetTones(MakeTones());
   writer->ScaleBarOn();
   writer->SetUnitName("mm");
   writer->SetTitle("One of everything");
