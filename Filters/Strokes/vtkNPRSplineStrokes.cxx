@@ -5,6 +5,7 @@
 #include "nprProgress.h"
 #include "nprSplines.h"
 #include "nprStrokeSamples.h"
+#include "nprStrokeSimplifier.h"
 
 #include <vtkCellArray.h>
 #include <vtkFieldData.h>
@@ -96,6 +97,7 @@ public:
   double CornerCosine;
   int SmoothingIterations;
   double MaximumShift;
+  double MaximumDeviation;
 
   void Process(vtkPoints* points, vtkIdList* ids, npr::SampledStrokes& strokes) const
   {
@@ -107,15 +109,21 @@ public:
       }
       Smooth(chain, this->SmoothingIterations, this->MaximumShift);
       const std::size_t start = strokes.Samples.size();
-      this->SampleChain(chain, strokes.Samples);
+      const std::vector<std::size_t> corners = this->SampleChain(chain, strokes.Samples);
       npr::MeasureArcLength(strokes.Samples, start);
+      if (this->MaximumDeviation > 0.0)
+      {
+        npr::SimplifyStroke(strokes.Samples, start, corners, chain.Closed, this->MaximumDeviation);
+      }
       strokes.Sizes.push_back(static_cast<vtkIdType>(strokes.Samples.size() - start));
     }
   }
 
 private:
-  /// Appends the samples of the smooth parts between the corners of the chain.
-  void SampleChain(const npr::StrokeChain& chain, std::vector<npr::StrokeSample>& samples) const
+  /// Appends the samples of the smooth parts between the corners of the chain. Returns which are
+  /// corners.
+  std::vector<std::size_t> SampleChain(
+    const npr::StrokeChain& chain, std::vector<npr::StrokeSample>& samples) const
   {
     const std::size_t n = chain.Points.size();
     std::vector<std::size_t> corners;
@@ -130,7 +138,7 @@ private:
     if (chain.Closed && corners.empty())
     {
       this->SamplePart(chain.Points, true, true, samples);
-      return;
+      return {};
     }
 
     // A closed chain is opened at its first corner.
@@ -143,6 +151,7 @@ private:
     corners.push_back(end);
     std::size_t first = begin;
     std::vector<npr::StrokePoint> part;
+    std::vector<std::size_t> sampled;
     for (std::size_t corner : corners)
     {
       part.clear();
@@ -151,8 +160,10 @@ private:
         part.push_back(chain.Points[i % n]);
       }
       this->SamplePart(part, false, first == begin, samples);
+      sampled.push_back(samples.size() - 1);
       first = corner;
     }
+    return sampled;
   }
 
   /// Appends the samples of one smooth part; without its first one where that has been the last of
@@ -231,6 +242,7 @@ int vtkNPRSplineStrokes::RequestData(
     this->CornerAngle < 180.0 ? std::cos(vtkMath::RadiansFromDegrees(this->CornerAngle)) : -2.0;
   splines.SmoothingIterations = this->SmoothingIterations;
   splines.MaximumShift = this->MaximumShift;
+  splines.MaximumDeviation = this->MaximumDeviation;
 
   vtkPoints* inputPoints = input->GetPoints();
   std::vector<npr::SampledStrokes> strokes(numberOfLines);
@@ -266,4 +278,5 @@ void vtkNPRSplineStrokes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
   os << indent << "MaximumShift: " << this->MaximumShift << "\n";
+  os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";
 }

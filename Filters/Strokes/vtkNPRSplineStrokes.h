@@ -24,7 +24,8 @@
  *
  * @par Thanks:
  * Catmull-Rom splines: E. Catmull, R. Rom: A class of local interpolating splines, 1974. Uniform
- * cubic B-splines: C. de Boor: A Practical Guide to Splines, 1978.
+ * cubic B-splines: C. de Boor: A Practical Guide to Splines, 1978. Simplification: D. Douglas,
+ * T. Peucker, 1973.
  *
  * @sa vtkNPRStrokeMapper, vtkSplineFilter
  */
@@ -120,6 +121,17 @@ public:
   vtkGetMacro(MaximumShift, double);
   ///@}
 
+  ///@{
+  /**
+   * If positive, samples are left out as long as the polyline passes each of them within this
+   * distance (unit: length), so that strokes have few points where they are straight. Ends and
+   * corners stay, and ArcLength is as it was along all samples. Point arrays don't count: what
+   * changes between the points that stay is lost. Default: 0, off.
+   */
+  vtkSetClampMacro(MaximumDeviation, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDeviation, double);
+  ///@}
+
   /** The most samples that any span gets. */
   static constexpr int MaximumSubdivisions = 1024;
 
@@ -137,6 +149,7 @@ protected:
   double CornerAngle = 60.0;
   int SmoothingIterations = 0;
   double MaximumShift = 0.0;
+  double MaximumDeviation = 0.0;
 
 private:
   vtkNPRSplineStrokes(const vtkNPRSplineStrokes&) = delete;

@@ -313,11 +313,92 @@ void TestSmoothing()
   CHECK(std::abs(Run(filter, zigzag)[zigzag.size() / 2][1]) < 1e-6);
 }
 
-void TestBadChains()
+double DistanceToPolyline(const npr::Vector3& p, const Points& line)
+{
+  double nearest = VTK_DOUBLE_MAX;
+  for (std::size_t i = 1; i < line.size(); ++i)
+  {
+    const npr::Vector3 along = Difference(line[i], line[i - 1]);
+    const npr::Vector3 way = Difference(p, line[i - 1]);
+    const double squared = vtkMath::Dot(along.data(), along.data());
+    const double t = squared > 0
+      ? std::min(1.0, std::max(0.0, vtkMath::Dot(way.data(), along.data()) / squared))
+      : 0.0;
+    npr::Vector3 nearestPlace;
+    for (int c = 0; c < 3; ++c)
+    {
+      nearestPlace[c] = line[i - 1][c] + t * along[c];
+    }
+    nearest = std::min(nearest, Distance(p, nearestPlace));
+  }
+  return nearest;
+}
+
+void TestSimplification()
+{
+  // An S with a corner of 70 degrees in it, and a closed curve.
+  Points bend;
+  for (int i = 0; i <= 200; ++i)
+  {
+    const double x = 0.05 * (i - 100);
+    bend.push_back({ x, std::sin(x) + 0.7 * std::abs(x), 0.2 * std::cos(2 * x) });
+  }
+  const npr::Vector3 corner = bend[100];
+  const Points loop = Circle(360, 3.0);
+  for (int type :
+    { vtkNPRSplineStrokes::NONE, vtkNPRSplineStrokes::CATMULL_ROM, vtkNPRSplineStrokes::B_SPLINE })
+  {
+    for (bool closed : { false, true })
+    {
+      vtkNew<vtkNPRSplineStrokes> filter;
+      filter->SetSplineType(type);
+      filter->SetCornerAngle(20);
+      const Points& line = closed ? loop : bend;
+      const Points all = Run(filter, line, closed);
+      vtkDataArray* arc = filter->GetOutput()->GetPointData()->GetArray(npr::names::ArcLength);
+      const double length = arc->GetRange()[1];
+      std::size_t last = all.size();
+      for (double deviation : { 0.001, 0.01, 0.1 })
+      {
+        filter->SetMaximumDeviation(deviation);
+        const Points few = Run(filter, line, closed);
+        CHECK(few.size() >= 2 && few.size() < last);
+        last = few.size();
+        double worst = 0;
+        for (const npr::Vector3& p : all)
+        {
+          worst = std::max(worst, DistanceToPolyline(p, few));
+        }
+        CHECK(worst <= deviation * (1 + 1e-9) && worst > 0.2 * deviation);
+        for (const npr::Vector3& p : few)
+        {
+          CHECK(DistanceToLine(p, all) == 0);
+        }
+        CHECK(Distance(few.front(), all.front()) == 0 && Distance(few.back(), all.back()) == 0);
+        CHECK(closed || DistanceToLine(corner, few) < 1e-12);
+        arc = filter->GetOutput()->GetPointData()->GetArray(npr::names::ArcLength);
+        CHECK(arc->GetRange()[0] == 0 && arc->GetRange()[1] == length);
+      }
+      // Whatever is left of a loop is one; of an open stroke, the ends and the corner.
+      filter->SetMaximumDeviation(100);
+      const Points least = Run(filter, line, closed);
+      CHECK(least.size() == 3);
+      CHECK(closed || DistanceToLine(corner, least) < 1e-12);
+      CHECK(!closed || std::abs(Distance(least[0], least[1]) - 6.0) < 0.1);
+    }
+  }
+  // Straight lines need no points between their ends.
+  vtkNew<vtkNPRSplineStrokes> filter;
+  filter->SetMaximumDeviation(1e-6);
+  CHECK(Run(filter, { { 0, 0, 0 }, { 1, 2, 3 }, { 2, 4, 6 }, { 4, 8, 12 } }).size() == 2);
+}
+
+void TestBadChains(double maximumDeviation)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const npr::Vector3 hole = { nan, 0, 0 };
   vtkNew<vtkNPRSplineStrokes> filter;
+  filter->SetMaximumDeviation(maximumDeviation);
   for (int type :
     { vtkNPRSplineStrokes::NONE, vtkNPRSplineStrokes::CATMULL_ROM, vtkNPRSplineStrokes::B_SPLINE })
   {
@@ -432,7 +513,9 @@ int TestSplineStrokes(int, char*[])
   TestCornersSurvive();
   TestResampling();
   TestSmoothing();
-  TestBadChains();
+  TestSimplification();
+  TestBadChains(0.0);
+  TestBadChains(0.3);
   TestThreads();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
