@@ -327,8 +327,9 @@ std::vector<vtkActor*> ListActors(vtkRenderer* renderer)
 {
   std::vector<vtkActor*> actors;
   vtkCollectionSimpleIterator cookie;
-  renderer->GetActors()->InitTraversal(cookie);
-  while (vtkActor* const actor = renderer->GetActors()->GetNextActor(cookie))
+  vtkActorCollection* const all = renderer->GetActors(); // each call makes the list anew
+  all->InitTraversal(cookie);
+  while (vtkActor* const actor = all->GetNextActor(cookie))
   {
     actors.push_back(actor);
   }
@@ -378,9 +379,9 @@ int main(int argc, char* argv[])
     triangles +=
       vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))->GetNumberOfPolys();
   }
-  std::printf("%s: %lld triangles as prepared\n",
+  std::printf("%s%s: %lld triangles as prepared\n",
     arguments.Models.empty() ? "sample" : arguments.Models[0].c_str(),
-    static_cast<long long>(triangles));
+    arguments.Models.size() > 1 ? " ..." : "", static_cast<long long>(triangles));
   std::printf("%-12s %10s %8s %8s %8s %7s %8s %9s %9s %10s\n", "view", "visibility", "strokes",
     "write", "seconds", "kB", "strokes", "under 5px", "reversals", "% no line");
 
