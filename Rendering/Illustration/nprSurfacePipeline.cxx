@@ -95,6 +95,13 @@ SurfacePipeline::SurfacePipeline()
   this->Tensor->OutputMeanCurvatureOff();
   this->Tensor->OutputGaussianCurvatureOff();
   this->Tensor->OutputUnknownCurvatureOff();
+  // What only the refinement asks for, and that once: a third of the memory of a large scan.
+  for (vtkAlgorithm* const filter : { static_cast<vtkAlgorithm*>(this->Preparation.Get()),
+         static_cast<vtkAlgorithm*>(this->Normals.Get()),
+         static_cast<vtkAlgorithm*>(this->Tensor.Get()) })
+  {
+    filter->ReleaseDataFlagOn();
+  }
   this->Watch(this->Preparation, "prepare");
   this->Watch(this->Normals, "prepare");
   this->Watch(this->Tensor, "curvature");
