@@ -200,6 +200,7 @@ void RenderJob::RunDrawing(vtkNPRIllustrationStyle* style, vtkNPRDrawingWriter* 
     shading == DrawingShading::Image ? writer->SetImage(this->DrawShading(transparent))
                                      : writer->SetTones(this->DrawTones());
     this->Output.AddStage("shade", this->Output.StopClock());
+    this->Window->Finalize(); // no more pixels: what the graphics hold is free for what follows
   }
   vtkNew<vtkPolyData> strokes;
   this->Illustration->GetStrokes(strokes);
