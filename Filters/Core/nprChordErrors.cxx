@@ -33,7 +33,9 @@ std::vector<float> MeasureChordErrors(const TriangleMesh& mesh, const Tuples<3>&
           const auto& n1 = normals[to];
           if (n0.dot(n1) > LeastAgreement)
           {
-            const float error = 0.125f * (chord.dot(n1) * n1 - chord.dot(n0) * n0).norm();
+            const float sum = (n0 + n1).norm(); // 2 for small angles
+            const float error =
+              (chord.dot(n1) * n1 - chord.dot(n0) * n0).norm() / (sum * (2.0f + sum));
             errors[t] = std::max(errors[t], error);
           }
         }

@@ -208,7 +208,8 @@ private:
       normals->GetTuple(b, m.data());
       if (n.dot(m) > 0.5)
       {
-        const Vector move = ((to - from).dot(m) * m - (to - from).dot(n) * n) / 8.0;
+        const double sum = (n + m).norm();
+        const Vector move = ((to - from).dot(m) * m - (to - from).dot(n) * n) / (sum * (2.0 + sum));
         largest = std::max(largest, (toWorld.topLeftCorner<3, 3>() * move).norm());
       }
     }

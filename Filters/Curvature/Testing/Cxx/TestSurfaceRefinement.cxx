@@ -6,6 +6,7 @@
 #include "nprLengthScale.h"
 #include "vtkNPRSurfaceRefinement.h"
 
+#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 
 #include <map>
@@ -253,6 +254,15 @@ void TestChordError(Checks& check)
     check(output->GetNumberOfCells() < 4000, "long edges along the can stay",
       output->GetNumberOfCells());
     last = output->GetNumberOfCells();
+    // What the can was told by: twelve sides, and flat caps.
+    vtkDataArray* const known = output->GetCellData()->GetArray(npr::names::ChordError);
+    if (check(known && known->GetNumberOfTuples() == last, "the coarse triangles' errors stay"))
+    {
+      const double sagitta = 1.0 - std::cos(Pi / Sides);
+      const double* const range = known->GetRange();
+      check(range[0] == 0.0, "a flat cap is exact", range[0]);
+      check(std::abs(range[1] - sagitta) < 0.05 * sagitta, "sides are chords", range[1] / sagitta);
+    }
   }
   // Both limits hold together; what is shorter than the least length stays.
   can.Refinement->SetMaximumChordError(1e-3 / scale);
