@@ -30,9 +30,10 @@ constexpr double EventsPerFilter = 3.0; // that Watch() observes
 constexpr double SeamTolerance = 1e-6;  // of the length scale: the rounding of floats
 constexpr double LeastRadius = 3.5;     // of jets, in mean edges
 constexpr double RadiusOfSmoothing = 3.0;
-// Of the longest edge: arcs as large as the picture are parted as finely as it says, while along
-// the axis of a cylinder edges stay as long as they are.
-constexpr double ChordError = 1.0 / 320.0;
+// Of the longest edge: at eight thousandths of the picture's shorter side, arcs of up to 0.4 of it
+// in radius are parted as finely as by length, while along the axis of a cylinder edges stay as
+// they are.
+constexpr double ChordError = 1.0 / 400.0;
 constexpr double LeastQuality = 0.65; // between scans (0.75 to 0.9) and most CAD (0.3 to 0.55)
 
 struct Tessellation
