@@ -10,7 +10,7 @@ namespace npr
 {
 namespace
 {
-constexpr float LeastAgreement = 0.5f; // cosine between the normals at the ends of a curve
+constexpr double LeastAgreement = 0.5; // cosine between the normals at the ends of a curve
 }
 
 //------------------------------------------------------------------------------
@@ -28,15 +28,17 @@ std::vector<float> MeasureChordErrors(const TriangleMesh& mesh, const Tuples<3>&
         {
           const Index from = corners[e];
           const Index to = corners[(e + 1) % 3];
-          const TriangleMesh::Vector chord = mesh.GetPoint(to) - mesh.GetPoint(from);
-          const auto& n0 = normals[from];
-          const auto& n1 = normals[to];
+          // Coordinates may be so large that their squares are no numbers in single precision.
+          const Eigen::Vector3d chord =
+            mesh.GetPoint(to).cast<double>() - mesh.GetPoint(from).cast<double>();
+          const Eigen::Vector3d n0 = normals[from].cast<double>();
+          const Eigen::Vector3d n1 = normals[to].cast<double>();
           if (n0.dot(n1) > LeastAgreement)
           {
-            const float sum = (n0 + n1).norm(); // 2 for small angles
-            const float error =
-              (chord.dot(n1) * n1 - chord.dot(n0) * n0).norm() / (sum * (2.0f + sum));
-            errors[t] = std::max(errors[t], error);
+            const double sum = (n0 + n1).norm(); // 2 for small angles
+            const double error =
+              (chord.dot(n1) * n1 - chord.dot(n0) * n0).norm() / (sum * (2.0 + sum));
+            errors[t] = std::max(errors[t], static_cast<float>(error));
           }
         }
       }
