@@ -161,9 +161,15 @@ double Whorl(double radius, double angle, double distance, double height, double
   return plain - tube * ribs;
 }
 
-double Field(const Vector3d& point)
+const Placement& GetPlacement()
 {
   static const Placement place;
+  return place;
+}
+
+double Field(const Vector3d& point)
+{
+  const Placement& place = GetPlacement();
   const Vector3d p = place.Turn * (point - place.Centre);
   const double distance = Length(p.x(), p.y());
   // The last whorl's angle in this direction, in (-2 pi, 0].
@@ -282,5 +288,22 @@ double SnailField(const Vector3d& point)
   }
   const double hornSeam = 0.09;
   return Unite(result, body::Horns(point, result + hornSeam), hornSeam);
+}
+
+SnailPart FindSnailPart(const Vector3d& point)
+{
+  constexpr double far = 1.0;
+  const double shell = shell::Field(point);
+  const double body = body::Field(point);
+  const double horns = body::Horns(point, far);
+  return horns < std::min(shell, body) ? SnailPart::Horns
+    : body < shell                     ? SnailPart::Body
+                                       : SnailPart::Shell;
+}
+
+double GetDistanceFromApex(const Vector3d& point)
+{
+  const shell::Placement& place = shell::GetPlacement();
+  return (place.Turn * (point - place.Centre) - place.Apex).norm();
 }
 }

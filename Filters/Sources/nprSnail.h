@@ -19,6 +19,19 @@ inline constexpr double SnailLipschitz = 2.0;
  * +x; its right side, with the apex of the shell, faces +z. It is about four units long.
  */
 double SnailField(const Eigen::Vector3d& point);
+
+/// The snail's parts, by their numbers.
+enum class SnailPart
+{
+  Shell,
+  Body,
+  Horns
+};
+/// Of a point on the surface.
+SnailPart FindSnailPart(const Eigen::Vector3d& point);
+
+/// How far a point is from the apex of the shell.
+double GetDistanceFromApex(const Eigen::Vector3d& point);
 }
 
 #endif

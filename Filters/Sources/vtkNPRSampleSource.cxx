@@ -6,11 +6,14 @@
 #include "nprSnail.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -249,6 +252,9 @@ int vtkNPRSampleSource::RequestData(
   normals->SetName(npr::names::Normals);
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(count);
+  vtkNew<vtkFloatArray> distances;
+  distances->SetName("DistanceFromApex");
+  distances->SetNumberOfValues(count);
   vtkSMPTools::For(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -258,12 +264,33 @@ int vtkNPRSampleSource::RequestData(
         const Vector3d normal = vertices[i].Gradient.normalized();
         points->SetPoint(i, vertices[i].Position.data());
         normals->SetTuple(i, normal.data());
+        distances->SetValue(i, static_cast<float>(npr::GetDistanceFromApex(vertices[i].Position)));
+      }
+    });
+  vtkNew<vtkIntArray> parts;
+  parts->SetName("RegionId");
+  parts->SetNumberOfValues(raw->GetNumberOfPolys());
+  vtkSMPTools::For(0, parts->GetNumberOfValues(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> corners;
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        raw->GetPolys()->GetCellAtId(t, corners);
+        Vector3d sum = Vector3d::Zero();
+        for (const vtkIdType corner : *corners)
+        {
+          sum += vertices[corner].Position;
+        }
+        parts->SetValue(t, static_cast<int>(npr::FindSnailPart(sum / 3.0)));
       }
     });
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->SetPoints(points);
   output->SetPolys(raw->GetPolys());
   output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(distances);
+  output->GetCellData()->AddArray(parts);
   this->UpdateProgress(1.0);
   return 1;
 }

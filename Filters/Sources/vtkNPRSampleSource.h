@@ -14,6 +14,9 @@
  * taken by flying edges, and the points are relaxed along the surface while Newton's steps hold
  * them on it, so that the triangles are even and nothing of the grid shows.
  *
+ * The cell array RegionId (integers) tells its parts: 0 the shell, 1 the body, 2 the four horns.
+ * The point array DistanceFromApex (floats) has the distance from the tip of the shell.
+ *
  * @sa vtkNPRModelImporter
  */
 #ifndef vtkNPRSampleSource_h

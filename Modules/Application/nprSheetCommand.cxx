@@ -12,12 +12,18 @@
 #include "vtkNPRIllustration.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRLineDefinition.h"
+#include "vtkNPRRegionBorders.h"
 
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
 #include <CLI/CLI.hpp>
@@ -80,15 +86,59 @@ struct Layout
   int Label; ///< Height of the strip below a picture.
 };
 
-/// The kinds that can be drawn on any surface; says which can not.
-std::vector<std::string> GetUsualKinds(const Reporter& reporter)
+/// What the models bring, all of them, for lines that need data.
+struct ModelData
+{
+  std::string PointArray; ///< The first with one number a point; empty where there is none.
+  bool HasRegions = false;
+};
+
+std::string FindPointArray(vtkPolyData* surface)
+{
+  vtkPointData* const data = surface->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = data->GetArray(i);
+    if (array && array->GetName() && array->GetNumberOfComponents() == 1 &&
+      array->GetDataType() != VTK_UNSIGNED_CHAR && array != data->GetGlobalIds() &&
+      std::string(array->GetName()) != names::WeldedPointIds)
+    {
+      return array->GetName();
+    }
+  }
+  return std::string();
+}
+
+ModelData FindData(vtkRenderer* renderer)
+{
+  ModelData found;
+  vtkActorCollection* const actors = renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    vtkMapper* const mapper = vtkActor::SafeDownCast(actors->GetItemAsObject(i))->GetMapper();
+    mapper->Update();
+    vtkPolyData* const surface = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+    const std::string array = surface ? FindPointArray(surface) : std::string();
+    const bool hasRegions = surface &&
+      surface->GetCellData()->GetArray(vtkNew<vtkNPRRegionBorders>()->GetArray().c_str());
+    found.PointArray = i == 0 || found.PointArray == array ? array : std::string();
+    found.HasRegions = hasRegions && (i == 0 || found.HasRegions);
+  }
+  return found;
+}
+
+/// The kinds that can be drawn on these models; says which can not.
+std::vector<std::string> GetUsualKinds(const ModelData& data, const Reporter& reporter)
 {
   std::vector<std::string> kinds;
   std::string others;
   for (int i = 0; i < vtkNPRLineDefinition::GetNumberOfLineNames(); ++i)
   {
     const std::string name = vtkNPRLineDefinition::GetLineName(i);
-    if (vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name.c_str()))->IsForAnySurface())
+    const auto definition = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(name.c_str()));
+    if (definition->IsForAnySurface() ||
+      (definition->IsA("vtkNPRIsoLines") && !data.PointArray.empty()) ||
+      (definition->IsA("vtkNPRRegionBorders") && data.HasRegions))
     {
       kinds.push_back(name);
     }
@@ -99,7 +149,9 @@ std::vector<std::string> GetUsualKinds(const Reporter& reporter)
   }
   if (!others.empty() && !reporter.Quiet)
   {
-    std::printf("left out, for they need data or an expression of yours: %s\n", others.c_str());
+    std::printf(
+      "left out, for they need an expression of yours, or data that the model has not: %s\n",
+      others.c_str());
   }
   return kinds;
 }
@@ -112,11 +164,13 @@ std::string MakeStyle(const std::vector<std::string>& kinds)
   for (const std::string& kind : kinds)
   {
     const auto definition = vtk::TakeSmartPointer(vtkNPRLineDefinition::NewFromName(kind.c_str()));
-    // What comes from derivatives has their noise.
+    // What comes from derivatives has their noise; borders of regions step from edge to edge.
     const bool isSmooth = definition->HasField() && definition->HasTest();
+    const bool isRegionBorder = definition->IsA("vtkNPRRegionBorders");
     lines += ",\n{ \"type\": \"" + kind + R"(", "width": 2.4, "color": "#000000", )" +
       (isSmooth ? R"("spline": "b-spline", "smoothing": 10, "taper": true, "minimum_length": 40 })"
-                : R"("spline": "catmull-rom", "minimum_length": 20 })");
+          : isRegionBorder ? R"("spline": "b-spline", "smoothing": 10, "minimum_length": 20 })"
+                           : R"("spline": "catmull-rom", "minimum_length": 20 })");
   }
   return R"({ "name": "sheet", "background": "#ffffff", "shading": { "style": "paper" },
     "lines": [)" +
@@ -136,6 +190,16 @@ std::vector<int> CountChains(vtkNPRIllustration* illustration, std::size_t types
   return counts;
 }
 
+void CheckSize(const Layout& layout)
+{
+  if (std::max(layout.GetWidth(), layout.GetHeight()) > LargestSide)
+  {
+    throw CommandError(UsageError,
+      "the sheet would be " + std::to_string(layout.GetWidth()) + "x" +
+        std::to_string(layout.GetHeight()) + " pixels; give its cells a smaller --size");
+  }
+}
+
 void MakeSheet(const SheetOptions& options, Reporter& reporter)
 {
   // All that can be refused is refused before the long work.
@@ -147,26 +211,21 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
   CheckImageFile(options.Output);
   options.View.Parse();
   options.Visibility.Check();
-  const std::vector<std::string> kinds =
-    options.Lines.empty() ? GetUsualKinds(reporter) : SplitList(options.Lines);
   vtkNew<vtkNPRIllustrationStyle> style;
+  std::vector<std::string> kinds = SplitList(options.Lines);
   const bool isKnown = style->SelectLines(kinds);
   reporter.DropVTKErrors();
-  if (!isKnown || kinds.empty())
+  if (!isKnown || (kinds.empty() && !options.Lines.empty()))
   {
     throw CommandError(UsageError,
       "--lines: " +
         (isKnown ? "it names no kind of line (npr lines --list)" : style->GetErrorMessage()));
   }
-  const Layout layout(static_cast<int>(kinds.size()), options.View.GetSize());
-  if (std::max(layout.GetWidth(), layout.GetHeight()) > LargestSide)
-  {
-    throw CommandError(UsageError,
-      "the sheet would be " + std::to_string(layout.GetWidth()) + "x" +
-        std::to_string(layout.GetHeight()) + " pixels; give its cells a smaller --size");
-  }
+  const std::size_t most =
+    kinds.empty() ? vtkNPRLineDefinition::GetNumberOfLineNames() : kinds.size();
+  CheckSize(Layout(static_cast<int>(most), options.View.GetSize()));
 
-  RenderJob job(reporter, layout.Cell);
+  RenderJob job(reporter, options.View.GetSize());
   reporter.BeginStage("read");
   options.Models.Import(job.GetRenderer(), reporter);
   if (options.Models.Files.empty())
@@ -174,8 +233,18 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
     AddSample(job.GetRenderer());
   }
   reporter.EndStage();
+  const ModelData data = FindData(job.GetRenderer());
+  if (kinds.empty())
+  {
+    kinds = GetUsualKinds(data, reporter);
+  }
+  const Layout layout(static_cast<int>(kinds.size()), options.View.GetSize());
   options.View.Apply(job.GetRenderer(), options.Models);
   style->LoadString(MakeStyle(kinds));
+  if (!data.PointArray.empty() && std::count(kinds.begin(), kinds.end(), "isolines") > 0)
+  {
+    style->SetLineParameter("isolines", "array", data.PointArray);
+  }
   options.Visibility.ApplyTo(job.GetIllustration());
   job.Apply(style);
   // All lines are extracted here, once.
@@ -223,8 +292,8 @@ void AddSheetCommand(CLI::App& program, Reporter& reporter)
     "--sample", options->Sample, "Draw the built-in sample; so it is without a model, too");
   command->add_option("-o,--output", options->Output, "The image: .png, .jpg, .tif, .bmp or .ppm");
   command->add_option("--lines", options->Lines,
-    "Which kinds of lines, such as contours,creases (npr lines --list); default: all that need "
-    "neither data nor an expression of yours");
+    "Which kinds of lines, such as contours,creases (npr lines --list); default: all but "
+    "those that need an expression of yours, or data that the model has not");
   options->View.AddTo(*command);
   options->Visibility.AddTo(*command);
   command->get_option("--size")->description("Size of each cell in pixels, WxH");

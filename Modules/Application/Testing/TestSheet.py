@@ -30,7 +30,7 @@ class TestSheet(CommandTest):
         result, width, height, rows = self.sheet()
         listed = [row.split()[0] for row in self.run_well("lines", "--list").stdout.splitlines()[1:]]
         left_out = result.stdout.split(":")[1].replace(",", " ").split()
-        self.assertIn("region-borders", left_out)
+        self.assertEqual(left_out, ["expression"], "the sample has data for all others")
         count = len(listed) - len(left_out)
         self.assertGreaterEqual(count, 8)
         across = next(n for n in range(1, 100) if n * n >= count)
@@ -48,6 +48,16 @@ class TestSheet(CommandTest):
         border = [rows[0], rows[-1]] + [row[:9] + row[-9:] for row in rows]
         self.assertTrue(all(min(row) == 255 for row in border), "white margins")
         self.assertTrue(result.stderr == "")
+
+    def test_kinds_that_need_data(self):
+        result, *_ = self.sheet(self.model)
+        left_out = result.stdout.split(":")[1].replace(",", " ").split()
+        self.assertEqual(sorted(left_out), ["expression", "isolines", "region-borders"])
+        for kind in ("isolines", "region-borders"):
+            _, width, height, rows = self.sheet("--lines", kind)
+            picture = rows[: height - height // 5]  # without the label
+            values = [max(row[x : x + 3]) for row in picture for x in range(0, len(row), 3)]
+            self.assertGreater(sum(1 for value in values if value < 60), 20, kind)
 
     def test_one_kind_is_black_the_contours_grey(self):
         for kind, is_drawn in (("creases", True), ("boundaries", False)):
