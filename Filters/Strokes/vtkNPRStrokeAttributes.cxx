@@ -329,16 +329,30 @@ int vtkNPRStrokeAttributes::RequestData(
   }
   if (this->Uses(npr::names::IsophoteDistance))
   {
-    AddIsophoteDistance(output, measure, this->LightDirection, this->IsophoteLevel, strokes);
+    AddIsophoteDistance(output, measure, this->LightDirection, this->IsophoteLevel, whole);
   }
   for (const Term& term : this->Terms)
   {
-    if (output->GetNumberOfPoints() > 0 &&
-      !this->MultiplyTerm(
-        term, output, (term.Attribute == WIDTH ? widths : opacities)->GetPointer(0)))
+    if (output->GetNumberOfPoints() == 0)
+    {
+      break;
+    }
+    vtkNew<vtkFloatArray> factors;
+    factors->SetNumberOfValues(output->GetNumberOfPoints());
+    factors->FillValue(1.0f);
+    if (!this->MultiplyTerm(term, output, factors->GetPointer(0)))
     {
       output->Initialize();
       return 0;
+    }
+    if (term.Average)
+    {
+      Average(whole, factors);
+    }
+    vtkFloatArray* const product = term.Attribute == WIDTH ? widths : opacities;
+    for (vtkIdType i = 0; i < factors->GetNumberOfValues(); ++i)
+    {
+      product->SetValue(i, product->GetValue(i) * factors->GetValue(i));
     }
   }
   this->UpdateProgress(1.0);
@@ -355,7 +369,8 @@ void vtkNPRStrokeAttributes::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "Term: " << (term.Attribute == WIDTH ? "Width" : "Opacity") << " by "
        << term.Array << " from " << term.From << " to " << term.To << ": " << term.AtFrom << " to "
-       << term.AtTo << (term.Shape == SMOOTH ? ", smooth\n" : "\n");
+       << term.AtTo << (term.Shape == SMOOTH ? ", smooth" : "")
+       << (term.Average ? ", averaged\n" : "\n");
   }
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Camera: " << this->Camera.Get() << "\n";

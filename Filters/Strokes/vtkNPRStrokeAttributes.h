@@ -134,6 +134,11 @@ public:
   void SetTermFactors(int term, double atFrom, double atTo);
   /** LINEAR or SMOOTH (3x^2 - 2x^3). */
   void SetTermShape(int term, int shape);
+  /**
+   * Whether the factor is averaged along the stroke, over Reach to both sides, as `Shade` is: for
+   * arrays with noise, such as the curvature of a scan. Default: off.
+   */
+  void SetTermAverage(int term, bool average);
   int GetNumberOfTerms() const { return static_cast<int>(this->Terms.size()); }
   void RemoveAllTerms();
   ///@}
@@ -274,6 +279,7 @@ private:
     double AtFrom = 0.0;
     double AtTo = 1.0;
     int Shape = LINEAR;
+    bool Average = false;
   };
   Term* FindTerm(int term);
   bool Uses(const char* array) const;

@@ -100,6 +100,15 @@ void vtkNPRStrokeAttributes::SetTermShape(int term, int shape)
 }
 
 //------------------------------------------------------------------------------
+void vtkNPRStrokeAttributes::SetTermAverage(int term, bool average)
+{
+  if (Term* found = this->FindTerm(term))
+  {
+    found->Average = average;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkNPRStrokeAttributes::RemoveAllTerms()
 {
   this->Terms.clear();

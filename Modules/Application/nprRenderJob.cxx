@@ -113,6 +113,12 @@ void RenderJob::Apply(vtkNPRIllustrationStyle* style)
 {
   this->Illustration->SetStyle(style);
   this->Illustration->Apply();
+  // Lines that do not fit the model are no fault of the drawing: they are found before it begins.
+  if (this->Illustration->GetNumberOfLineTypes() > 0)
+  {
+    vtkNew<vtkPolyData> lines;
+    this->Illustration->GetLines(lines);
+  }
   this->Output.ThrowOnVTKError(InputError);
   this->Output.StartClock();
 }

@@ -3,6 +3,7 @@
 #include "nprStrokeFilters.h"
 
 #include "nprArrayNames.h"
+#include "nprViewQuantities.h"
 #include "vtkNPRSplineStrokes.h"
 #include "vtkNPRStrokeAttributes.h"
 
@@ -37,6 +38,8 @@ vtkSmartPointer<vtkNPRStrokeAttributes> MakeAttributes(
       const int number = attributes->AddTerm(attribute, term.Array.c_str());
       attributes->SetTermRange(number, term.Range[0], term.Range[1]);
       attributes->SetTermFactors(number, term.Factors[0], term.Factors[1]);
+      // Curvatures of a scan have its noise.
+      attributes->SetTermAverage(number, FindViewQuantity(term.Array) != nullptr);
       attributes->SetTermShape(
         number, term.Smooth ? vtkNPRStrokeAttributes::SMOOTH : vtkNPRStrokeAttributes::LINEAR);
     }

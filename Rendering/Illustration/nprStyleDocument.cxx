@@ -106,6 +106,7 @@ ShadingStyle ReadShading(StyleSection section)
   section.Read("specular", shading.Specular, 0.0, 1.0);
   section.Read("specular_power", shading.SpecularPower, 0.0, 1000.0);
   shading.StyleParameters = section.ReadOthers();
+  shading.CommonKeys = section.DescribeKeys();
   return shading;
 }
 
@@ -174,6 +175,7 @@ LineStyle ReadLine(StyleSection section, const StrokeStyle& strokes)
   section.Read("minimum_length", line.MinimumLength, 0.0, 1000.0);
   section.Read("optional", line.Optional);
   line.DefinitionParameters = section.ReadOthers();
+  line.CommonKeys = section.DescribeKeys();
   if (fade && fade->is_number())
   {
     line.DefinitionParameters["fade"] = std::vector<double>{ fade->get<double>() };

@@ -90,6 +90,7 @@ struct LineStyle
   StrokeStyle Stroke;
   bool Optional = false; ///< Only drawn where this kind of line is asked for by its name.
   Parameters DefinitionParameters;
+  std::string CommonKeys; ///< Those that all lines have, for a message.
 };
 
 struct LightStyle
@@ -109,6 +110,7 @@ struct ShadingStyle
   double Specular = 0.0;
   double SpecularPower = 20.0;
   Parameters StyleParameters;
+  std::string CommonKeys; ///< Those that all styles have, for a message.
 };
 
 struct GeometryStyle

@@ -111,7 +111,8 @@ std::vector<double> GetNumbers(const ParameterValue& value, int size, const std:
 }
 
 template<typename Object>
-void SetParameters(Object* object, const Parameters& parameters, const std::string& path)
+void SetParameters(Object* object, const Parameters& parameters, const std::string& path,
+  const std::string& commonKeys)
 {
   for (const auto& [name, value] : parameters)
   {
@@ -119,8 +120,8 @@ void SetParameters(Object* object, const Parameters& parameters, const std::stri
     const Shape shape = GetShape(object, name);
     if (!shape.IsKnown)
     {
-      throw StyleError(key +
-        " is not known here; besides the common keys there are: " + DescribeParameters(object));
+      throw StyleError(key + " is not known here; its own keys are: " + DescribeParameters(object) +
+        (commonKeys.empty() ? "" : "; the others: " + commonKeys));
     }
     const auto* text = std::get_if<std::string>(&value);
     if (shape.IsText && !text)
@@ -165,7 +166,7 @@ vtkSmartPointer<vtkNPRShadingStyle> MakeShadingStyle(const ShadingStyle& shading
     }
     throw StyleError("/shading/style '" + shading.Style + "' is not known; there are: " + names);
   }
-  SetParameters(style.Get(), shading.StyleParameters, "/shading");
+  SetParameters(style.Get(), shading.StyleParameters, "/shading", shading.CommonKeys);
   return style;
 }
 
@@ -183,7 +184,7 @@ vtkSmartPointer<vtkNPRLineDefinition> MakeLineDefinition(
     }
     throw StyleError(path + ": unknown kind of line '" + line.Type + "'; there are: " + names);
   }
-  SetParameters(definition.Get(), line.DefinitionParameters, path);
+  SetParameters(definition.Get(), line.DefinitionParameters, path, line.CommonKeys);
   return definition;
 }
 

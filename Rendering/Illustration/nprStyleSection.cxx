@@ -151,18 +151,24 @@ Parameters StyleSection::ReadOthers()
 }
 
 //------------------------------------------------------------------------------
+std::string StyleSection::DescribeKeys() const
+{
+  std::string keys;
+  for (const std::string& name : this->Known)
+  {
+    keys += (keys.empty() ? "" : ", ") + name;
+  }
+  return keys;
+}
+
+//------------------------------------------------------------------------------
 void StyleSection::Finish() const
 {
   for (const auto& item : this->Object.items())
   {
     if (this->Known.count(item.key()) == 0)
     {
-      std::string known;
-      for (const std::string& name : this->Known)
-      {
-        known += (known.empty() ? "" : ", ") + name;
-      }
-      this->Fail(item.key(), "is not known; the keys here are: " + known);
+      this->Fail(item.key(), "is not known; the keys here are: " + this->DescribeKeys());
     }
   }
 }

@@ -52,6 +52,8 @@ public:
 
   /// All keys that nobody asked for, as parameters for the object that the section describes.
   Parameters ReadOthers();
+  /// The keys that have been asked for so far, parted by commas.
+  std::string DescribeKeys() const;
 
   /// Refuses keys that nobody asked for.
   void Finish() const;

@@ -242,6 +242,8 @@ class TestCommand(CommandTest):
         before = read_png(self.image)[3]
         self.run_well("render", self.model, "-o", self.image, "--style", "ink", "--size", "64x64", "--define", "cut", "pz - 0.4", "")
         self.assertNotEqual(before, read_png(self.image)[3], "what is defined is drawn")
+        result = run("render", self.model, "-o", self.image, "--define", "cut", "pz - 0.4", "foo > 2")
+        self.assertEqual(result.returncode, 2, "lines that do not fit the model: " + result.stderr)
 
     def test_quantities(self):
         path = self.path("lines.vtp")

@@ -458,6 +458,28 @@ void TestTerms()
   expect(npr::names::Width, { 0, 0.5, 1, 1.5, 2 }, "a product");
 }
 
+// A step of an array, averaged over the stroke around it, is a ramp.
+void TestAverage()
+{
+  vtkSmartPointer<vtkPolyData> data = MakeLines({ Straight(100, 100) });
+  std::vector<float> step(101, 0.0f);
+  std::fill(step.begin() + 51, step.end(), 1.0f);
+  AddPointArray(data, "Heat", step);
+  vtkNew<vtkNPRStrokeAttributes> filter;
+  filter->SetLengthUnitToModel();
+  filter->SetReach(10);
+  const int term = filter->AddTerm(vtkNPRStrokeAttributes::WIDTH, "Heat");
+  filter->SetTermFactors(term, 1, 3);
+  filter->SetTermAverage(term, true);
+  vtkPolyData* output = Run(filter, data);
+  for (int i = 0; i <= 100; ++i)
+  {
+    const double share = std::min(std::max((i - 40.5) / 20.0, 0.0), 1.0);
+    Expect(
+      Get(output, npr::names::Width, i), 1 + 2 * share, 0.02, "an average at " + std::to_string(i));
+  }
+}
+
 void TestOvershoot()
 {
   vtkNew<vtkNPRStrokeAttributes> filter;
@@ -674,6 +696,7 @@ int TestStrokeAttributes(int, char*[])
   TestShade();
   TestAveragesOverCuts();
   TestTerms();
+  TestAverage();
   TestOvershoot();
   TestWobble();
   TestThreads();
