@@ -16,6 +16,7 @@
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
+#include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -241,10 +242,18 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
   const Layout layout(static_cast<int>(kinds.size()), options.View.GetSize());
   options.View.Apply(job.GetRenderer(), options.Models);
   style->LoadString(MakeStyle(kinds));
-  if (!data.PointArray.empty() && std::count(kinds.begin(), kinds.end(), "isolines") > 0)
+  const auto set = [&](const char* kind, const char* parameter, const std::string& value)
   {
-    style->SetLineParameter("isolines", "array", data.PointArray);
-  }
+    if (!value.empty() && std::count(kinds.begin(), kinds.end(), kind) > 0)
+    {
+      style->SetLineParameter(kind, parameter, value);
+    }
+  };
+  set("isolines", "array", data.PointArray);
+  // Heights are above the ground, as on maps.
+  const double* const up = job.GetRenderer()->GetActiveCamera()->GetViewUp();
+  set("topographic", "direction",
+    std::to_string(up[0]) + "," + std::to_string(up[1]) + "," + std::to_string(up[2]));
   options.Visibility.ApplyTo(job.GetIllustration());
   job.Apply(style);
   // All lines are extracted here, once.
