@@ -7,6 +7,7 @@
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRSurfaceNormals.h"
+#include "vtkNPRSurfaceOrder.h"
 #include "vtkNPRSurfacePreparation.h"
 #include "vtkNPRSurfaceRefinement.h"
 
@@ -90,6 +91,7 @@ SurfacePipeline::SurfacePipeline()
   this->Normals->SetInputConnection(this->Preparation->GetOutputPort());
   this->Tensor->SetInputConnection(this->Normals->GetOutputPort());
   this->Refinement->SetInputConnection(this->Tensor->GetOutputPort());
+  this->ShadedOrder->SetInputConnection(this->Refinement->GetOutputPort());
   this->RefinedNormals->SetInputConnection(this->Refinement->GetOutputPort());
   this->Lines->SetInputConnection(this->RefinedNormals->GetOutputPort());
   // What no line asks for.
@@ -107,6 +109,7 @@ SurfacePipeline::SurfacePipeline()
   this->Watch(this->Normals, "prepare");
   this->Watch(this->Tensor, "curvature");
   this->Watch(this->Refinement, "prepare");
+  this->Watch(this->ShadedOrder, "prepare");
   this->Watch(this->RefinedNormals, "prepare");
   this->Watch(this->Lines, "lines");
 }
@@ -168,7 +171,7 @@ void SurfacePipeline::Tune(const GeometryStyle& geometry, double unit, bool refi
 //------------------------------------------------------------------------------
 vtkAlgorithmOutput* SurfacePipeline::GetSurfacePort()
 {
-  return this->Refinement->GetOutputPort();
+  return this->ShadedOrder->GetOutputPort();
 }
 
 //------------------------------------------------------------------------------
@@ -186,13 +189,10 @@ void SurfacePipeline::SkipCurvature()
 //------------------------------------------------------------------------------
 void SurfacePipeline::Update()
 {
+  this->ShadedOrder->Update();
   if (this->Refinement->GetInputAlgorithm() == this->Tensor.Get())
   {
     this->RefinedNormals->Update();
-  }
-  else
-  {
-    this->Refinement->Update();
   }
 }
 
