@@ -204,6 +204,40 @@ void TestSnippets(Checker& check)
   check(messages->Errors.size() == 6, "impossible uniforms are taken");
 }
 
+// The shader leaves out what a material does not have.
+void TestMaterials(Checker& check)
+{
+  Stage stage;
+  vtkActor* const actor = stage.AddSphere();
+  stage.AddLight(0.3, 0.4, 1.0);
+  vtkNew<vtkNPRShadingPass> pass;
+  stage.Renderer->SetPass(pass);
+  vtkProperty* const property = actor->GetProperty();
+  property->SetSpecular(0.0);
+  const Image dull = stage.Render();
+  property->SetSpecular(0.8);
+  const Image shiny = stage.Render();
+  check(MeanDifference(dull, shiny) > 1.0, "a highlight does not come");
+  property->SetSpecularColor(0.0, 0.0, 0.0);
+  check(MeanDifference(dull, stage.Render()) == 0.0, "a black highlight is seen");
+  property->SetSpecularColor(1.0, 1.0, 1.0);
+  check(MeanDifference(shiny, stage.Render()) == 0.0, "a highlight does not come back");
+  property->SetSpecular(0.0);
+  check(MeanDifference(dull, stage.Render()) == 0.0, "a highlight does not go");
+
+  vtkNew<vtkProperty> inside;
+  inside->SetSpecular(0.8);
+  inside->SetSpecularPower(property->GetSpecularPower());
+  inside->SetDiffuse(property->GetDiffuse());
+  inside->SetAmbient(property->GetAmbient());
+  inside->SetColor(property->GetColor());
+  actor->SetBackfaceProperty(inside);
+  property->FrontfaceCullingOn();
+  const Image inner = stage.Render();
+  inside->SetSpecular(0.0);
+  check(MeanDifference(inner, stage.Render()) > 0.0, "back faces have no highlight of their own");
+}
+
 void TestManyLights(Checker& check)
 {
   Stage stage;
@@ -237,6 +271,7 @@ int TestShadingChanges(int argc, char* argv[])
   TestDelegates(check);
   TestWindows(check);
   TestSnippets(check);
+  TestMaterials(check);
   TestManyLights(check);
   return check.Result();
 }
