@@ -5,6 +5,7 @@
 #include "nprStyleDocument.h"
 #include "nprStyleObjects.h"
 #include "nprSurfaceSource.h"
+#include "nprVisibleSides.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRLineDefinition.h"
 #include "vtkNPROutlineNormals.h"
@@ -13,6 +14,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -124,8 +126,8 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
   {
     this->Pipeline.SkipCurvature();
   }
-  this->Follow(scale);
   this->Pipeline.Update();
+  this->Follow(scale);
 }
 
 //------------------------------------------------------------------------------
@@ -202,6 +204,19 @@ void ActorIllustration::Follow(const PageScale& scale)
   this->MatrixScale = ComputeScale(this->Actor->GetMatrix());
   this->Pipeline.GetFeatureLines()->SetCamera(this->Renderer->GetActiveCamera());
   this->SetScale(scale);
+  this->CullBackFaces();
+}
+
+//------------------------------------------------------------------------------
+// The far side of what is closed is never seen, but takes nearly half of the time to draw.
+void ActorIllustration::CullBackFaces()
+{
+  vtkPlaneCollection* const planes = this->OriginalMapper->GetClippingPlanes();
+  const bool isSeenInside = this->IsTextured || (planes && planes->GetNumberOfItems() > 0) ||
+    this->Actor->HasTranslucentPolygonalGeometry() ||
+    this->Actor->GetMatrix()->Determinant() <= 0.0 || !this->Pipeline.ShowsOnlyFronts() ||
+    !IsInFrontOf(this->Renderer->GetActiveCamera(), this->Actor->GetBounds());
+  this->Actor->GetProperty()->SetBackfaceCulling(this->CullsBackFaces || !isSeenInside);
 }
 
 //------------------------------------------------------------------------------
@@ -232,6 +247,7 @@ void ActorIllustration::ShadeSurface(const StyleDocument& style)
 {
   vtkNew<vtkProperty> property;
   property->DeepCopy(this->OriginalProperty);
+  this->CullsBackFaces = property->GetBackfaceCulling() != 0;
   const ShadingStyle& shading = style.Shading;
   if (IsPaper(shading))
   {

@@ -74,6 +74,7 @@ public:
 private:
   void Connect();
   void ShadeSurface(const StyleDocument& style);
+  void CullBackFaces();
   void SetScale(const PageScale& scale);
 
   vtkSmartPointer<vtkActor> Actor;
@@ -86,6 +87,7 @@ private:
   vtkSmartPointer<vtkPolyDataNormals> ShownNormals;     // of a textured surface that has none
   vtkSmartPointer<vtkAlgorithmOutput> Input;            // what the user's mapper shows
   vtkSmartPointer<vtkNPROutlineNormals> OutlineNormals; // for enlarged back faces
+  bool CullsBackFaces = false;                          // as the user's property says
   bool IsTextured = false;                              // and so shown as it is, not refined
   SurfacePipeline Pipeline;
   std::vector<LineStrokes> AllStrokes;

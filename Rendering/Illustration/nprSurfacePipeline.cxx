@@ -4,6 +4,7 @@
 
 #include "nprLengthScale.h"
 #include "nprStyleDocument.h"
+#include "nprVisibleSides.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPRSurfaceNormals.h"
@@ -178,6 +179,20 @@ vtkAlgorithmOutput* SurfacePipeline::GetSurfacePort()
 double SurfacePipeline::GetLengthScale()
 {
   return npr::GetLengthScale(this->Preparation->GetOutput());
+}
+
+//------------------------------------------------------------------------------
+bool SurfacePipeline::ShowsOnlyFronts()
+{
+  this->ShadedOrder->Update();
+  vtkPolyData* const surface = this->ShadedOrder->GetOutput();
+  if (this->TimeOfFronts != surface->GetMTime())
+  {
+    this->TimeOfFronts = surface->GetMTime();
+    this->OnlyFronts =
+      this->Preparation->GetNumberOfBoundaryEdges() == 0 && npr::ShowsOnlyFronts(surface);
+  }
+  return this->OnlyFronts;
 }
 
 //------------------------------------------------------------------------------

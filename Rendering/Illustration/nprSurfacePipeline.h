@@ -4,8 +4,8 @@
 #define nprSurfacePipeline_h
 
 #include <vtkNew.h>
-
 #include <vtkSmartPointer.h>
+#include <vtkType.h>
 
 #include <functional>
 #include <map>
@@ -65,6 +65,10 @@ public:
   /// Of the prepared surface; 0 when it has no area.
   double GetLengthScale();
 
+  /// Whether none of what can be seen from outside is the back of the shaded surface, which is
+  /// brought up to date for this.
+  bool ShowsOnlyFronts();
+
   /// Where no lines are wanted, neither are curvatures.
   void SkipCurvature();
 
@@ -97,6 +101,8 @@ private:
   std::map<std::string, double> Seconds;
   double StartTime = 0.0;
   bool Faceted = false;
+  bool OnlyFronts = false;
+  vtkMTimeType TimeOfFronts = 0; // of the surface that this was found for
 };
 }
 
