@@ -126,8 +126,8 @@ ActorIllustration::ActorIllustration(vtkActor* actor, vtkRenderer* renderer,
   {
     this->Pipeline.SkipCurvature();
   }
-  this->Pipeline.Update();
   this->Follow(scale);
+  this->Pipeline.Update();
 }
 
 //------------------------------------------------------------------------------
@@ -152,8 +152,7 @@ void ActorIllustration::Connect()
   this->Source = MakeSurfaceSource(this->OriginalMapper);
   this->Pipeline.SetInputConnection(
     this->Source ? this->Source->GetOutputPort() : this->Input.Get());
-  vtkAlgorithmOutput* shown =
-    this->IsTextured ? this->Input.Get() : this->Pipeline.GetSurfacePort();
+  vtkAlgorithmOutput* shown = this->IsTextured ? this->Input.Get() : this->Pipeline.GetShadedPort();
   if (this->ShownNormals)
   {
     this->ShownNormals->SetInputConnection(shown);
@@ -204,13 +203,16 @@ void ActorIllustration::Follow(const PageScale& scale)
   this->MatrixScale = ComputeScale(this->Actor->GetMatrix());
   this->Pipeline.GetFeatureLines()->SetCamera(this->Renderer->GetActiveCamera());
   this->SetScale(scale);
-  this->CullBackFaces();
 }
 
 //------------------------------------------------------------------------------
 // The far side of what is closed is never seen, but takes nearly half of the time to draw.
 void ActorIllustration::CullBackFaces()
 {
+  if (!this->IsShown())
+  {
+    return;
+  }
   vtkPlaneCollection* const planes = this->OriginalMapper->GetClippingPlanes();
   const bool isSeenInside = this->IsTextured || (planes && planes->GetNumberOfItems() > 0) ||
     this->Actor->HasTranslucentPolygonalGeometry() ||

@@ -65,6 +65,9 @@ public:
   /// Before each frame: what the user has done to the actor, its mapper, the camera or the window.
   void Follow(const PageScale& scale);
 
+  /// After that: whether the far side of the surface need be drawn in the frame.
+  void CullBackFaces();
+
   /// @name The length scale that thresholds refer to, in the world
   ///@{
   double GetWorldLengthScale() { return this->Pipeline.GetLengthScale() * this->MatrixScale; }
@@ -74,7 +77,6 @@ public:
 private:
   void Connect();
   void ShadeSurface(const StyleDocument& style);
-  void CullBackFaces();
   void SetScale(const PageScale& scale);
 
   vtkSmartPointer<vtkActor> Actor;

@@ -172,6 +172,12 @@ void SurfacePipeline::Tune(const GeometryStyle& geometry, double unit, bool refi
 //------------------------------------------------------------------------------
 vtkAlgorithmOutput* SurfacePipeline::GetSurfacePort()
 {
+  return this->Refinement->GetOutputPort();
+}
+
+//------------------------------------------------------------------------------
+vtkAlgorithmOutput* SurfacePipeline::GetShadedPort()
+{
   return this->ShadedOrder->GetOutputPort();
 }
 
@@ -184,8 +190,8 @@ double SurfacePipeline::GetLengthScale()
 //------------------------------------------------------------------------------
 bool SurfacePipeline::ShowsOnlyFronts()
 {
-  this->ShadedOrder->Update();
-  vtkPolyData* const surface = this->ShadedOrder->GetOutput();
+  this->Refinement->Update();
+  vtkPolyData* const surface = this->Refinement->GetOutput();
   if (this->TimeOfFronts != surface->GetMTime())
   {
     this->TimeOfFronts = surface->GetMTime();
@@ -204,10 +210,13 @@ void SurfacePipeline::SkipCurvature()
 //------------------------------------------------------------------------------
 void SurfacePipeline::Update()
 {
-  this->ShadedOrder->Update();
   if (this->Refinement->GetInputAlgorithm() == this->Tensor.Get())
   {
     this->RefinedNormals->Update();
+  }
+  else
+  {
+    this->Refinement->Update();
   }
 }
 

@@ -58,15 +58,16 @@ public:
   /// Whether lines follow the edges of facets, and so are to be straight.
   bool IsFaceted() const { return this->Faceted; }
 
-  /// The prepared, smooth surface with its normals, to be shaded.
+  /// The prepared, smooth surface with its normals, and the same to be shaded.
   vtkAlgorithmOutput* GetSurfacePort();
+  vtkAlgorithmOutput* GetShadedPort();
   vtkNPRFeatureLines* GetFeatureLines() { return this->Lines; }
 
   /// Of the prepared surface; 0 when it has no area.
   double GetLengthScale();
 
-  /// Whether none of what can be seen from outside is the back of the shaded surface, which is
-  /// brought up to date for this.
+  /// Whether none of what can be seen from outside is the back of the surface, which is brought up
+  /// to date for this.
   bool ShowsOnlyFronts();
 
   /// Where no lines are wanted, neither are curvatures.

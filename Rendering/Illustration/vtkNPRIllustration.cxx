@@ -187,6 +187,7 @@ private:
     for (const auto& actor : this->Actors)
     {
       actor->Follow(scale);
+      actor->CullBackFaces();
     }
     this->ShareLengthScale();
     const bool exact = this->Self->GetStrokeVisibility() == EXACT &&
