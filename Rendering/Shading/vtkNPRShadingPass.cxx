@@ -83,8 +83,8 @@ const char* const PushImplementation = "  gl_Position = nprPush(gl_Position, NPR
 const char* const PlainColor = "diffuseColor";
 const char* const PhysicalColor = "pow(max(albedo, vec3(0.0)), vec3(1.0 / 2.2))";
 
-// The compiler drops highlights that are black, and the surface's position where no light needs it,
-// which is a third of what a fragment costs in software.
+// The compiler drops highlights that are black, and the surface's position where no light needs it;
+// in software each fragment would pay for them.
 const char* GetSpecularColor(vtkActor* actor)
 {
   vtkProperty* const property = actor->GetProperty();
