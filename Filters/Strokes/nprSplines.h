@@ -59,10 +59,34 @@ struct CubicSpan
   }
 };
 
-namespace detail
+/// Element [k][j] is the weight of point j in the coefficient of t^k.
+using SplineBasis = std::array<std::array<double, 4>, 4>;
+
+enum class SplineKind
 {
-/// basis[k][j] is the weight of point j in the coefficient of t^k.
-inline CubicSpan MakeSpan(const double (&basis)[4][4], const std::array<Vector3, 4>& points)
+  Polyline = 0, // straight from point to point
+  CatmullRom = 1,
+  BSpline = 2
+};
+
+inline SplineBasis GetSplineBasis(SplineKind kind, double tension)
+{
+  const double s = tension;
+  const double u = 1.0 / 6;
+  switch (kind)
+  {
+    case SplineKind::CatmullRom:
+      return { { { 0, 1, 0, 0 }, { -s, 0, s, 0 }, { 2 * s, s - 3, 3 - 2 * s, -s },
+        { -s, 2 - s, s - 2, s } } };
+    case SplineKind::BSpline:
+      return { { { u, 4 * u, u, 0 }, { -3 * u, 0, 3 * u, 0 }, { 3 * u, -6 * u, 3 * u, 0 },
+        { -u, 3 * u, -3 * u, u } } };
+    default:
+      return { { { 0, 1, 0, 0 }, { 0, -1, 1, 0 }, { 0, 0, 0, 0 }, { 0, 0, 0, 0 } } };
+  }
+}
+
+inline CubicSpan MakeSpan(const SplineBasis& basis, const std::array<Vector3, 4>& points)
 {
   CubicSpan span;
   for (int k = 0; k < 4; ++k)
@@ -76,32 +100,12 @@ inline CubicSpan MakeSpan(const double (&basis)[4][4], const std::array<Vector3,
   return span;
 }
 
+namespace detail
+{
 inline double Length(const Vector3& v)
 {
   return std::hypot(v[0], v[1], v[2]);
 }
-}
-
-inline CubicSpan LinearSpan(const std::array<Vector3, 4>& points)
-{
-  const double basis[4][4] = { { 0, 1, 0, 0 }, { 0, -1, 1, 0 }, { 0, 0, 0, 0 }, { 0, 0, 0, 0 } };
-  return detail::MakeSpan(basis, points);
-}
-
-inline CubicSpan CatmullRomSpan(const std::array<Vector3, 4>& points, double tension)
-{
-  const double s = tension;
-  const double basis[4][4] = { { 0, 1, 0, 0 }, { -s, 0, s, 0 }, { 2 * s, s - 3, 3 - 2 * s, -s },
-    { -s, 2 - s, s - 2, s } };
-  return detail::MakeSpan(basis, points);
-}
-
-inline CubicSpan BSplineSpan(const std::array<Vector3, 4>& points)
-{
-  const double u = 1.0 / 6;
-  const double basis[4][4] = { { u, 4 * u, u, 0 }, { -3 * u, 0, 3 * u, 0 },
-    { 3 * u, -6 * u, 3 * u, 0 }, { -u, 3 * u, -3 * u, u } };
-  return detail::MakeSpan(basis, points);
 }
 
 /// No chord of the span over an interval dt is farther from the curve than this times dt^2 / 8,

@@ -8,7 +8,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
-#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -21,56 +20,14 @@
 
 namespace npr
 {
-namespace
-{
-double SquaredDistance(const Vector3& a, const Vector3& b)
-{
-  return vtkMath::Distance2BetweenPoints(a.data(), b.data());
-}
-}
-
-//------------------------------------------------------------------------------
-std::vector<StrokeChain> MakeStrokeChains(vtkPoints* points, vtkIdList* ids)
-{
-  std::vector<StrokeChain> chains(1);
-  bool cut = false;
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    StrokePoint point;
-    point.Id = ids->GetId(i);
-    points->GetPoint(point.Id, point.Position.data());
-    if (!std::isfinite(point.Position[0]) || !std::isfinite(point.Position[1]) ||
-      !std::isfinite(point.Position[2]))
-    {
-      cut = true;
-      if (!chains.back().Points.empty())
-      {
-        chains.emplace_back();
-      }
-      continue;
-    }
-    std::vector<StrokePoint>& chain = chains.back().Points;
-    if (chain.empty() || SquaredDistance(chain.back().Position, point.Position) > 0)
-    {
-      chain.push_back(point);
-    }
-  }
-  if (!cut && chains[0].Points.size() > 3 &&
-    SquaredDistance(chains[0].Points.front().Position, chains[0].Points.back().Position) == 0)
-  {
-    chains[0].Points.pop_back();
-    chains[0].Closed = true;
-  }
-  return chains;
-}
-
 //------------------------------------------------------------------------------
 void MeasureArcLength(std::vector<StrokeSample>& samples, std::size_t start)
 {
   for (std::size_t i = start + 1; i < samples.size(); ++i)
   {
     samples[i].ArcLength = samples[i - 1].ArcLength +
-      std::sqrt(SquaredDistance(samples[i - 1].Position, samples[i].Position));
+      std::sqrt(vtkMath::Distance2BetweenPoints(
+        samples[i - 1].Position.data(), samples[i].Position.data()));
   }
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file nprStrokeSamples.h
- * @brief From polylines to clean chains of points, and from samples along them to polylines again.
+ * @brief From samples along chains of points to polylines again.
  */
 #ifndef nprStrokeSamples_h
 #define nprStrokeSamples_h
 
-#include "nprSplines.h"
+#include "nprStrokeChains.h"
 #include "nprVTKCompat.h"
 
 #include <vtkType.h>
@@ -16,25 +16,11 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkIdList;
-class vtkPoints;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
-struct StrokePoint
-{
-  Vector3 Position;
-  vtkIdType Id;
-};
-
-struct StrokeChain
-{
-  std::vector<StrokePoint> Points;
-  bool Closed = false; // the last point then joins the first, which is not repeated
-};
-
 struct StrokeSample
 {
   Vector3 Position;
@@ -51,10 +37,6 @@ struct SampledStrokes
   std::vector<StrokeSample> Samples;
   std::vector<vtkIdType> Sizes;
 };
-
-/// The finite runs of a polyline, without repeated points. A run of three different points or more
-/// whose last is at the place of its first is closed, if it is the whole polyline.
-std::vector<StrokeChain> MakeStrokeChains(vtkPoints* points, vtkIdList* ids);
 
 /// Sets the ArcLength of the samples after that at `start`, from that one's on.
 void MeasureArcLength(std::vector<StrokeSample>& samples, std::size_t start);

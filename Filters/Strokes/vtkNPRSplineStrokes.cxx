@@ -25,16 +25,6 @@
 
 namespace
 {
-/// Cosine of the angle by which a -> b -> c turns.
-double TurnCosine(const npr::Vector3& a, const npr::Vector3& b, const npr::Vector3& c)
-{
-  npr::Vector3 in, out;
-  vtkMath::Subtract(b.data(), a.data(), in.data());
-  vtkMath::Subtract(c.data(), b.data(), out.data());
-  const double lengths = vtkMath::Norm(in.data()) * vtkMath::Norm(out.data());
-  return lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
-}
-
 /// Moves a place towards another one, at most so far.
 void MoveTowards(npr::Vector3& place, const npr::Vector3& goal, double most)
 {
@@ -89,8 +79,8 @@ void Smooth(npr::StrokeChain& chain, int iterations, double maximumShift)
 class Splines
 {
 public:
-  int Type;
-  double Tension;
+  npr::SplineKind Kind;
+  npr::SplineBasis Basis;
   int Subdivisions;
   double SegmentLength;
   double ChordError;
@@ -120,88 +110,34 @@ public:
   }
 
 private:
-  /// Appends the samples of the smooth parts between the corners of the chain. Returns which are
-  /// corners.
+  /// Appends the samples of the smooth parts between the corners of the chain; where one ends and
+  /// the next begins there is one sample. @returns the samples where parts end
   std::vector<std::size_t> SampleChain(
     const npr::StrokeChain& chain, std::vector<npr::StrokeSample>& samples) const
   {
-    const std::size_t n = chain.Points.size();
-    std::vector<std::size_t> corners;
-    for (std::size_t i = chain.Closed ? 0 : 1; i < (chain.Closed ? n : n - 1); ++i)
+    std::vector<std::size_t> ends;
+    bool withFirst = true;
+    for (const npr::SplinePart& part : npr::SplitAtCorners(chain, this->CornerCosine))
     {
-      if (TurnCosine(chain.Points[(i + n - 1) % n].Position, chain.Points[i].Position,
-            chain.Points[(i + 1) % n].Position) < this->CornerCosine)
+      const std::ptrdiff_t end = part.GetEndSpan(this->Kind);
+      for (std::ptrdiff_t i = part.GetFirstSpan(this->Kind); i < end; ++i)
       {
-        corners.push_back(i);
+        const npr::CubicSpan span = part.MakeSpan(i, this->Basis);
+        const int steps = this->GetNumberOfSteps(span);
+        for (int step = withFirst ? 0 : 1; step <= steps; ++step)
+        {
+          const double t = static_cast<double>(step) / steps;
+          samples.push_back(
+            { span.Evaluate(t), 0.0, part.GetPoint(i).Id, part.GetPoint(i + 1).Id, t });
+        }
+        withFirst = false;
+      }
+      if (!part.IsClosed())
+      {
+        ends.push_back(samples.size() - 1);
       }
     }
-    if (chain.Closed && corners.empty())
-    {
-      this->SamplePart(chain.Points, true, true, samples);
-      return {};
-    }
-
-    // A closed chain is opened at its first corner.
-    const std::size_t begin = chain.Closed ? corners.front() : 0;
-    const std::size_t end = chain.Closed ? begin + n : n - 1;
-    if (chain.Closed)
-    {
-      corners.erase(corners.begin());
-    }
-    corners.push_back(end);
-    std::size_t first = begin;
-    std::vector<npr::StrokePoint> part;
-    std::vector<std::size_t> sampled;
-    for (std::size_t corner : corners)
-    {
-      part.clear();
-      for (std::size_t i = first; i <= corner; ++i)
-      {
-        part.push_back(chain.Points[i % n]);
-      }
-      this->SamplePart(part, false, first == begin, samples);
-      sampled.push_back(samples.size() - 1);
-      first = corner;
-    }
-    return sampled;
-  }
-
-  /// Appends the samples of one smooth part; without its first one where that has been the last of
-  /// the part before.
-  void SamplePart(const std::vector<npr::StrokePoint>& points, bool closed, bool withFirst,
-    std::vector<npr::StrokeSample>& samples) const
-  {
-    const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(points.size());
-    auto control = [&](std::ptrdiff_t i) -> const npr::StrokePoint&
-    { return points[closed ? (i + n) % n : std::min(std::max<std::ptrdiff_t>(i, 0), n - 1)]; };
-    // The B-spline reaches an open end only if that end counts three times: one more span.
-    const std::ptrdiff_t more = this->Type == vtkNPRSplineStrokes::B_SPLINE && !closed ? 1 : 0;
-    const std::ptrdiff_t begin = -more;
-    const std::ptrdiff_t end = (closed ? n : n - 1) + more;
-    for (std::ptrdiff_t i = begin; i < end; ++i)
-    {
-      const npr::CubicSpan span = this->MakeSpan({ control(i - 1).Position, control(i).Position,
-        control(i + 1).Position, control(i + 2).Position });
-      const int steps = this->GetNumberOfSteps(span);
-      for (int step = (i == begin && withFirst) ? 0 : 1; step <= steps; ++step)
-      {
-        const double t = static_cast<double>(step) / steps;
-        samples.push_back({ span.Evaluate(t), 0.0, control(i).Id, control(i + 1).Id, t });
-      }
-    }
-  }
-
-  npr::CubicSpan MakeSpan(const std::array<npr::Vector3, 4>& points) const
-  {
-    switch (this->Type)
-    {
-      case vtkNPRSplineStrokes::CATMULL_ROM:
-        return npr::CatmullRomSpan(points, this->Tension);
-      case vtkNPRSplineStrokes::B_SPLINE:
-        return npr::BSplineSpan(points);
-      default:
-        return npr::LinearSpan(points);
-    }
+    return ends;
   }
 
   int GetNumberOfSteps(const npr::CubicSpan& span) const
@@ -211,7 +147,7 @@ private:
       return npr::NumberOfSteps(
         span, this->SegmentLength, this->ChordError, vtkNPRSplineStrokes::MaximumSubdivisions);
     }
-    return this->Type == vtkNPRSplineStrokes::NONE ? 1 : this->Subdivisions;
+    return this->Kind == npr::SplineKind::Polyline ? 1 : this->Subdivisions;
   }
 };
 }
@@ -232,14 +168,12 @@ int vtkNPRSplineStrokes::RequestData(
   }
 
   Splines splines;
-  splines.Type = this->SplineType;
-  splines.Tension = this->Tension;
+  splines.Kind = static_cast<npr::SplineKind>(this->SplineType);
+  splines.Basis = npr::GetSplineBasis(splines.Kind, this->Tension);
   splines.Subdivisions = this->Subdivisions;
   splines.SegmentLength = this->MaximumSegmentLength;
   splines.ChordError = this->MaximumChordError;
-  // No turn is a corner at 180 degrees, however the cosine is rounded.
-  splines.CornerCosine =
-    this->CornerAngle < 180.0 ? std::cos(vtkMath::RadiansFromDegrees(this->CornerAngle)) : -2.0;
+  splines.CornerCosine = npr::GetCornerCosine(this->CornerAngle);
   splines.SmoothingIterations = this->SmoothingIterations;
   splines.MaximumShift = this->MaximumShift;
   splines.MaximumDeviation = this->MaximumDeviation;

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nprStrokeChains.h"
+
+#include <vtkIdList.h>
+#include <vtkMath.h>
+#include <vtkPoints.h>
+
+#include <cmath>
+
+namespace npr
+{
+namespace
+{
+bool IsSamePlace(const Vector3& a, const Vector3& b)
+{
+  return !(vtkMath::Distance2BetweenPoints(a.data(), b.data()) > 0);
+}
+
+/// Cosine of the angle by which a -> b -> c turns.
+double TurnCosine(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  Vector3 in, out;
+  vtkMath::Subtract(b.data(), a.data(), in.data());
+  vtkMath::Subtract(c.data(), b.data(), out.data());
+  const double lengths = vtkMath::Norm(in.data()) * vtkMath::Norm(out.data());
+  return lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<StrokeChain> MakeStrokeChains(vtkPoints* points, vtkIdList* ids)
+{
+  std::vector<StrokeChain> chains(1);
+  bool cut = false;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    StrokePoint point;
+    point.Id = ids->GetId(i);
+    points->GetPoint(point.Id, point.Position.data());
+    if (!std::isfinite(point.Position[0]) || !std::isfinite(point.Position[1]) ||
+      !std::isfinite(point.Position[2]))
+    {
+      cut = true;
+      if (!chains.back().Points.empty())
+      {
+        chains.emplace_back();
+      }
+      continue;
+    }
+    std::vector<StrokePoint>& chain = chains.back().Points;
+    if (chain.empty() || !IsSamePlace(chain.back().Position, point.Position))
+    {
+      chain.push_back(point);
+    }
+  }
+  if (!cut && chains[0].Points.size() > 3 &&
+    IsSamePlace(chains[0].Points.front().Position, chains[0].Points.back().Position))
+  {
+    chains[0].Points.pop_back();
+    chains[0].Closed = true;
+  }
+  return chains;
+}
+
+//------------------------------------------------------------------------------
+double GetCornerCosine(double angle)
+{
+  // However the cosine of a turn is rounded.
+  return angle < 180.0 ? std::cos(vtkMath::RadiansFromDegrees(angle)) : -2.0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<SplinePart> SplitAtCorners(const StrokeChain& chain, double cornerCosine)
+{
+  const std::size_t n = chain.Points.size();
+  std::vector<std::size_t> corners;
+  for (std::size_t i = chain.Closed ? 0 : 1; i < (chain.Closed ? n : n - 1); ++i)
+  {
+    if (TurnCosine(chain.Points[(i + n - 1) % n].Position, chain.Points[i].Position,
+          chain.Points[(i + 1) % n].Position) < cornerCosine)
+    {
+      corners.push_back(i);
+    }
+  }
+  std::vector<SplinePart> parts;
+  if (chain.Closed && corners.empty())
+  {
+    parts.emplace_back(chain, 0, n, true);
+    return parts;
+  }
+  // A closed chain is opened at its first corner.
+  const std::size_t begin = chain.Closed ? corners.front() : 0;
+  if (chain.Closed)
+  {
+    corners.erase(corners.begin());
+  }
+  corners.push_back(chain.Closed ? begin + n : n - 1);
+  std::size_t first = begin;
+  for (std::size_t corner : corners)
+  {
+    parts.emplace_back(chain, first, corner - first + 1, false);
+    first = corner;
+  }
+  return parts;
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nprStrokeChains.h
+ * @brief From polylines to clean chains of points, and to the smooth parts between their corners.
+ */
+#ifndef nprStrokeChains_h
+#define nprStrokeChains_h
+
+#include "nprSplines.h"
+#include "nprVTKCompat.h"
+#include "vtkNPRFiltersStrokesModule.h"
+
+#include <vtkType.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkIdList;
+class vtkPoints;
+VTK_ABI_NAMESPACE_END
+
+namespace npr
+{
+struct StrokePoint
+{
+  Vector3 Position;
+  vtkIdType Id;
+};
+
+struct StrokeChain
+{
+  std::vector<StrokePoint> Points;
+  bool Closed = false; // the last point then joins the first, which is not repeated
+};
+
+/// The finite runs of a polyline, without repeated points. A run of three different points or more
+/// whose last is at the place of its first is closed, if it is the whole polyline.
+VTKNPRFILTERSSTROKES_EXPORT std::vector<StrokeChain> MakeStrokeChains(
+  vtkPoints* points, vtkIdList* ids);
+
+/// What is smooth of a chain: spans of a spline over its points from one corner to the next.
+class SplinePart
+{
+public:
+  SplinePart(const StrokeChain& chain, std::size_t first, std::size_t size, bool closed)
+    : Chain(&chain), First(first), Size(static_cast<std::ptrdiff_t>(size)), Closed(closed)
+  {
+  }
+
+  /// Whether it is a whole closed chain; its spans then wrap.
+  bool IsClosed() const { return this->Closed; }
+
+  /// Spans have the numbers from this one on, before GetEndSpan(). The B-spline reaches an open end
+  /// only if that end counts three times: one more span.
+  std::ptrdiff_t GetFirstSpan(SplineKind kind) const
+  {
+    return kind == SplineKind::BSpline && !this->Closed ? -1 : 0;
+  }
+  std::ptrdiff_t GetEndSpan(SplineKind kind) const
+  {
+    return this->Size - (this->Closed ? 0 : 1) - this->GetFirstSpan(kind);
+  }
+
+  /// A span runs from (near) the point of its number to the next one. Beyond open ends, these are
+  /// repeated.
+  const StrokePoint& GetPoint(std::ptrdiff_t i) const
+  {
+    const std::ptrdiff_t within = this->Closed
+      ? (i + this->Size) % this->Size
+      : std::min(std::max<std::ptrdiff_t>(i, 0), this->Size - 1);
+    return this->Chain
+      ->Points[(this->First + static_cast<std::size_t>(within)) % this->Chain->Points.size()];
+  }
+
+  CubicSpan MakeSpan(std::ptrdiff_t i, const SplineBasis& basis) const
+  {
+    return npr::MakeSpan(basis,
+      { this->GetPoint(i - 1).Position, this->GetPoint(i).Position, this->GetPoint(i + 1).Position,
+        this->GetPoint(i + 2).Position });
+  }
+
+private:
+  const StrokeChain* Chain;
+  std::size_t First;
+  std::ptrdiff_t Size;
+  bool Closed;
+};
+
+/// From an angle in degrees to what SplitAtCorners() takes; no turn is a corner at 180 degrees.
+VTKNPRFILTERSSTROKES_EXPORT double GetCornerCosine(double angle);
+
+/// The parts of a chain between points where it turns by more than an angle. A closed chain with
+/// corners is opened at the first one; without, it is one closed part.
+VTKNPRFILTERSSTROKES_EXPORT std::vector<SplinePart> SplitAtCorners(
+  const StrokeChain& chain, double cornerCosine);
+}
+
+#endif
