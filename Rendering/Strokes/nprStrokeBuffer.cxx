@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprStrokeBuffer.h"
 
-#include "nprArrayNames.h"
+#include "nprStrokeReader.h"
 
-#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
@@ -25,26 +21,7 @@ namespace npr
 {
 namespace
 {
-vtkDataArray* GetPointScalars(vtkPolyData* strokes, const char* name)
-{
-  vtkDataArray* array = strokes->GetPointData()->GetArray(name);
-  const bool fits = array && array->GetNumberOfComponents() == 1 &&
-    array->GetNumberOfTuples() == strokes->GetNumberOfPoints();
-  return fits ? array : nullptr;
-}
-
-float GetFactor(vtkDataArray* array, vtkIdType id)
-{
-  const double value = array ? array->GetComponent(id, 0) : 1.0;
-  return std::isfinite(value) ? static_cast<float>(std::max(value, 0.0)) : 0.0f;
-}
-
 using Position = std::array<double, 3>;
-
-bool IsFinite(const Position& x)
-{
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
 
 /// From whether a point is finite to what it is on its stroke. A neighbour stands before the first
 /// and after the last record of a closed stroke.
@@ -81,23 +58,10 @@ public:
     std::vector<std::size_t> Kept;
   };
 
-  RecordWriter(vtkPolyData* strokes, const Position& origin, vtkUnsignedCharArray* colors,
-    bool ofCells, const StrokeTolerance& tolerance)
-    : Strokes(strokes), Points(strokes->GetPoints()), Origin(origin),
-      Widths(GetPointScalars(strokes, names::Width)),
-      Strengths(GetPointScalars(strokes, names::Strength)),
-      Opacities(GetPointScalars(strokes, names::Opacity)),
-      ArcLengths(GetPointScalars(strokes, names::ArcLength)),
-      Layers(strokes->GetCellData()->GetArray(names::HidingLayers)), Colors(colors),
-      ColorsOfCells(ofCells), Tolerance(tolerance)
+  RecordWriter(vtkPolyData* strokes, const StrokeReader& reader, const StrokeTolerance& tolerance)
+    : Strokes(strokes), Points(strokes->GetPoints()), Reader(reader), Tolerance(tolerance)
   {
-    if (this->Layers && this->Layers->GetNumberOfTuples() != strokes->GetNumberOfCells())
-    {
-      this->Layers = nullptr;
-    }
   }
-
-  bool HasWidths() const { return this->Widths != nullptr; }
 
   /// The records of a line that are needed, and their colours. @returns how many
   std::ptrdiff_t WriteLine(
@@ -108,8 +72,8 @@ public:
     this->Write(scratch.Ids, scratch.Records);
     this->WriteColors(line, scratch);
     std::vector<std::size_t>& kept = scratch.Kept;
-    SimplifyStroke(
-      scratch.Records, this->Colors ? scratch.Colors.data() : nullptr, this->Tolerance, kept);
+    SimplifyStroke(scratch.Records, this->Reader.HasColors() ? scratch.Colors.data() : nullptr,
+      this->Tolerance, kept);
     if (closed)
     {
       // The neighbours of the seam.
@@ -119,17 +83,16 @@ public:
     for (std::size_t i = 0; i < kept.size(); ++i)
     {
       to[i] = scratch.Records[kept[i]];
-      if (this->Colors)
+      if (this->Reader.HasColors())
       {
         std::copy_n(&scratch.Colors[4 * kept[i]], 4, toColors + 4 * i);
       }
     }
-    const bool hidden =
-      this->Layers && this->Layers->GetComponent(this->Strokes->GetNumberOfVerts() + line, 0) > 0.0;
     StrokeRecord* const end = to + kept.size();
     const int extra = closed ? 1 : 0;
     SetKinds(to + extra, end - extra, closed,
-      StrokeNumber * static_cast<int>(line % MostStrokeNumbers) + (hidden ? Hidden : 0),
+      StrokeNumber * static_cast<int>(line % MostStrokeNumbers) +
+        (this->Reader.IsHidden(line) ? Hidden : 0),
       this->Tolerance);
     if (closed)
     {
@@ -162,54 +125,39 @@ private:
     Position last;
     for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
     {
-      StrokeRecord& record = records[i];
       const vtkIdType id = ids->GetId(i);
       const Position x = this->GetPoint(id);
-      const bool finite = IsFinite(x);
-      for (int c = 0; c < 3; ++c)
-      {
-        record.Position[c] = finite ? static_cast<float>(x[c] - this->Origin[c]) : 0.0f;
-      }
-      record.Width = GetFactor(this->Widths, id);
-      record.Strength = GetFactor(this->Strengths, id);
-      record.Opacity = std::min(GetFactor(this->Opacities, id), 1.0f);
+      StrokeRecord& record = records[i];
+      record = this->Reader.Read(id, x);
       if (i > 0)
       {
         const double step = std::sqrt(vtkMath::Distance2BetweenPoints(x.data(), last.data()));
         measured += std::isfinite(step) ? step : 0.0;
       }
       last = x;
-      record.ArcLength =
-        this->ArcLengths ? GetFactor(this->ArcLengths, id) : static_cast<float>(measured);
-      record.Kind = finite ? 1.0f : 0.0f;
+      if (!this->Reader.HasArcLengths())
+      {
+        record.ArcLength = static_cast<float>(measured);
+      }
     }
   }
 
   void WriteColors(vtkIdType line, Scratch& scratch) const
   {
-    if (this->Colors)
+    if (this->Reader.HasColors())
     {
       const vtkIdType size = scratch.Ids->GetNumberOfIds();
       scratch.Colors.resize(4 * size);
       for (vtkIdType i = 0; i < size; ++i)
       {
-        const vtkIdType from =
-          this->ColorsOfCells ? this->Strokes->GetNumberOfVerts() + line : scratch.Ids->GetId(i);
-        this->Colors->GetTypedTuple(from, &scratch.Colors[4 * i]);
+        this->Reader.ReadColor(line, scratch.Ids->GetId(i), &scratch.Colors[4 * i]);
       }
     }
   }
 
   vtkPolyData* Strokes;
   vtkPoints* Points;
-  Position Origin;
-  vtkDataArray* Widths;
-  vtkDataArray* Strengths;
-  vtkDataArray* Opacities;
-  vtkDataArray* ArcLengths;
-  vtkDataArray* Layers;
-  vtkUnsignedCharArray* Colors;
-  bool ColorsOfCells;
+  const StrokeReader& Reader;
   const StrokeTolerance& Tolerance;
 };
 
@@ -234,47 +182,24 @@ void MoveTogether(StrokeRecords& strokes, const std::vector<std::ptrdiff_t>& roo
   strokes.Records.shrink_to_fit();
   strokes.Colors.resize(colored ? 4 * strokes.Begins.back() : 0);
 }
-
-/// The bounds of the points that are finite.
-vtkBoundingBox FindBounds(vtkPoints* points)
-{
-  vtkBoundingBox box;
-  Position point;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    points->GetPoint(i, point.data());
-    if (IsFinite(point))
-    {
-      box.AddPoint(point.data());
-    }
-  }
-  return box;
-}
 }
 
 //------------------------------------------------------------------------------
 StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells,
   const StrokeTolerance& tolerance)
 {
-  StrokeRecords result;
   vtkCellArray* lines = strokes->GetLines();
-  vtkPoints* points = strokes->GetPoints();
   const vtkIdType numberOfLines = lines ? lines->GetNumberOfCells() : 0;
-  if (numberOfLines == 0 || !points)
+  if (numberOfLines == 0)
   {
-    return result;
+    return {};
   }
-  const vtkBoundingBox box = FindBounds(points);
-  if (!box.IsValid())
+  const StrokeReader reader(strokes, colors, ofCells);
+  if (reader.IsEmpty())
   {
-    return result;
+    return {};
   }
-  box.GetCenter(result.Origin.data());
-  box.GetLengths(result.HalfSize.data());
-  for (double& size : result.HalfSize)
-  {
-    size *= 0.5;
-  }
+  StrokeRecords result = reader.GetFrame();
 
   // Room for all points of each line, and for the neighbours of a seam.
   std::vector<std::ptrdiff_t> room(numberOfLines + 1, 0);
@@ -285,7 +210,7 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colo
   result.Records.resize(room.back());
   result.Colors.resize(colors ? 4 * room.back() : 0);
   std::vector<std::ptrdiff_t> counts(numberOfLines, 0);
-  const RecordWriter writer(strokes, result.Origin, colors, ofCells, tolerance);
+  const RecordWriter writer(strokes, reader, tolerance);
   vtkSMPTools::For(0, numberOfLines,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -297,7 +222,7 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colo
       }
     });
   MoveTogether(result, room, counts);
-  if (writer.HasWidths())
+  if (reader.HasWidths())
   {
     result.MaximumWidth = 0;
     for (const StrokeRecord& record : result.Records)
@@ -315,7 +240,8 @@ std::vector<unsigned char> NumberCells(const StrokeRecords& records, std::ptrdif
   cells.reserve(4 * records.Records.size());
   for (std::size_t line = 0; line + 1 < records.Begins.size(); ++line)
   {
-    const std::ptrdiff_t number = otherCells + static_cast<std::ptrdiff_t>(line);
+    const std::ptrdiff_t number = otherCells +
+      (records.Lines.empty() ? static_cast<std::ptrdiff_t>(line) : records.Lines[line]);
     for (std::ptrdiff_t i = records.Begins[line]; i < records.Begins[line + 1]; ++i)
     {
       for (int byte = 0; byte < 4; ++byte)

@@ -51,6 +51,8 @@ struct StrokeRecords
   float MaximumWidth = 1;
   // The first record of each stroke, and the end of all.
   std::vector<std::ptrdiff_t> Begins;
+  // Their numbers among the lines of the input; empty: one after another.
+  std::vector<std::ptrdiff_t> Lines;
   // The colours of the records, four numbers each; empty: none.
   std::vector<unsigned char> Colors;
 };
