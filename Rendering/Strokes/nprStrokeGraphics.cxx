@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprStrokeGraphics.h"
 
+#include "nprCurveEvaluation.h"
+
 #include <vtkCommand.h>
 #include <vtkOpenGLBufferObject.h>
 #include <vtkOpenGLError.h>
@@ -14,6 +16,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace npr
 {
@@ -95,13 +98,13 @@ void StrokeGraphics::Release()
 }
 
 //------------------------------------------------------------------------------
-bool StrokeGraphics::IsUpToDate(
-  vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed)
+bool StrokeGraphics::IsUpToDate(vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells,
+  const StrokeTolerance& needed, const CurveSettings& curves)
 {
   const vtkMTimeType changed =
     std::max(input->GetMTime(), colors ? colors->GetMTime() : vtkMTimeType(0));
   if (this->UploadTime < changed || this->UploadedInput != input ||
-    this->UploadedColors != colors || this->ColorsOfCells != ofCells ||
+    this->UploadedColors != colors || this->ColorsOfCells != ofCells || !(this->Curves == curves) ||
     !needed.Allows(this->Tolerance))
   {
     return false;
@@ -112,37 +115,69 @@ bool StrokeGraphics::IsUpToDate(
 }
 
 //------------------------------------------------------------------------------
-void StrokeGraphics::Upload(
-  vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed)
+bool StrokeGraphics::Upload(vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells,
+  const StrokeTolerance& needed, const CurveSettings& curves)
 {
-  if (this->IsUpToDate(input, colors, ofCells, needed))
+  if (this->IsUpToDate(input, colors, ofCells, needed, curves))
   {
-    return;
+    return true;
   }
   this->Tolerance = needed.Scaled(Reserve);
   this->FramesTooFine = 0;
-  this->Records = MakeStrokeRecords(input, colors, ofCells, this->Tolerance);
+  this->UploadedInput = input;
+  this->UploadedColors = colors;
+  this->ColorsOfCells = ofCells;
+  this->Curves = curves;
+  this->UploadTime.Modified();
+  if (curves.Kind != SplineKind::Polyline && !curves.Measured)
+  {
+    StrokeCurves made = MakeStrokeCurves(input, colors, ofCells, this->Tolerance, curves);
+    if (made.Strokes.Records.size() <= MostControlPoints)
+    {
+      this->NumberOfSegments = std::max<std::ptrdiff_t>(made.Points.size(), 1) - 1;
+      const bool evaluated = this->NumberOfSegments == 0 ||
+        EvaluateCurves(made, this->Window, this->Buffer, this->Colors);
+      this->Records = std::move(made.Strokes);
+      this->MakeTextures(VTK_FLOAT);
+      return evaluated;
+    }
+  }
+  this->Records = curves.Kind == SplineKind::Polyline
+    ? MakeStrokeRecords(input, colors, ofCells, this->Tolerance)
+    : SampleStrokeCurves(input, colors, ofCells, this->Tolerance, curves);
   const std::vector<StrokeRecord>& records = this->Records.Records;
   this->NumberOfSegments = std::max<std::ptrdiff_t>(records.size(), 1) - 1;
   if (this->NumberOfSegments > 0)
   {
-    const std::size_t size = records.size() * (sizeof(StrokeRecord) / sizeof(float));
-    this->Buffer->Upload(records[0].Position, size, vtkOpenGLBufferObject::TextureBuffer);
-    this->BufferTexture->SetContext(this->Window);
-    this->BufferTexture->CreateTextureBuffer(
-      static_cast<unsigned int>(size / 4), 4, VTK_FLOAT, this->Buffer);
+    this->Buffer->Upload(records[0].Position,
+      records.size() * (sizeof(StrokeRecord) / sizeof(float)),
+      vtkOpenGLBufferObject::TextureBuffer);
+    if (this->HasColors())
+    {
+      this->Colors->Upload(this->Records.Colors, vtkOpenGLBufferObject::TextureBuffer);
+    }
   }
+  this->MakeTextures(VTK_UNSIGNED_CHAR);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void StrokeGraphics::MakeTextures(int typeOfColors)
+{
+  if (this->NumberOfSegments == 0)
+  {
+    return;
+  }
+  const auto count = static_cast<unsigned int>(this->NumberOfSegments + 1);
+  constexpr auto texels = static_cast<unsigned int>(sizeof(StrokeRecord) / (4 * sizeof(float)));
+  this->BufferTexture->SetContext(this->Window);
+  this->BufferTexture->CreateTextureBuffer(texels * count, 4, VTK_FLOAT, this->Buffer);
   if (this->HasColors())
   {
-    this->Colors->Upload(this->Records.Colors, vtkOpenGLBufferObject::TextureBuffer);
     this->ColorsTexture->SetContext(this->Window);
-    this->ColorsTexture->CreateTextureBuffer(
-      static_cast<unsigned int>(records.size()), 4, VTK_UNSIGNED_CHAR, this->Colors);
+    this->ColorsTexture->ResetFormatAndType(); // may have been of the other type
+    this->ColorsTexture->CreateTextureBuffer(count, 4, typeOfColors, this->Colors);
   }
-  this->UploadedInput = input;
-  this->UploadedColors = colors;
-  this->ColorsOfCells = ofCells;
-  this->UploadTime.Modified();
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define nprStrokeGraphics_h
 
 #include "nprStrokeBuffer.h"
+#include "nprStrokeCurves.h"
 #include "nprStrokeLayer.h"
 #include "nprStrokePicking.h"
 #include "nprVTKCompat.h"
@@ -50,9 +51,10 @@ public:
   void Release();
 
   /// Brings the records up to date with the input, its colours (four numbers for each point, or for
-  /// each cell; null: none), and how near it is seen.
-  void Upload(
-    vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed);
+  /// each cell; null: none), how near it is seen, and the curves that it becomes.
+  /// @returns whether the shaders compiled that this may need
+  bool Upload(vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells,
+    const StrokeTolerance& needed, const CurveSettings& curves);
   bool HasColors() const { return !this->Records.Colors.empty(); }
   /// Brings the numbers of the cells that segments belong to up to date.
   void UploadCells();
@@ -72,8 +74,9 @@ public:
   std::unique_ptr<vtkOpenGLQuadHelper> Composite;
 
 private:
-  bool IsUpToDate(
-    vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells, const StrokeTolerance& needed);
+  bool IsUpToDate(vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells,
+    const StrokeTolerance& needed, const CurveSettings& curves);
+  void MakeTextures(int typeOfColors);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   unsigned long WindowObserver = 0;
@@ -96,6 +99,7 @@ private:
   vtkWeakPointer<vtkUnsignedCharArray> UploadedColors;
   bool ColorsOfCells = false;
   StrokeTolerance Tolerance;
+  CurveSettings Curves;
   int FramesTooFine = 0;
 };
 }

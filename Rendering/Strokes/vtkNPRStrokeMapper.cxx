@@ -40,9 +40,6 @@
 
 namespace
 {
-// Of axes and edges that are drawn with fewer points, pixels.
-constexpr double MaximumError = 0.0625;
-
 /// How VTK's translucent pass, if any, wants its colours.
 enum class Translucency
 {
@@ -125,8 +122,14 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Graphics->SetWindow(window);
   this->MapScalars(1.0);
   const bool hasColors = this->Colors && this->Colors->GetNumberOfComponents() == 4;
-  this->Graphics->Upload(input, hasColors ? this->Colors : nullptr,
-    hasColors && this->AreColorsOfCells(), this->GetTolerance(renderer, actor));
+  if (!this->Graphics->Upload(input, hasColors ? this->Colors : nullptr,
+        hasColors && this->AreColorsOfCells(), this->GetTolerance(renderer, actor),
+        this->GetCurves()))
+  {
+    vtkErrorMacro("The shader that evaluates splines did not compile; OpenGL 3.2 or later is "
+                  "needed. Use vtkNPRSplineStrokes instead of SplineType.");
+    return;
+  }
   if (this->Graphics->GetNumberOfSegments() == 0)
   {
     return;
@@ -153,8 +156,7 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 //------------------------------------------------------------------------------
 npr::StrokeTolerance vtkNPRStrokeMapper::GetTolerance(vtkRenderer* renderer, vtkActor* actor)
 {
-  // Joins other than round ones look longer than round ones where points are left out.
-  const double pixels = this->IsStyled() ? 0.25 * MaximumError : MaximumError;
+  const double pixels = this->GetMaximumError();
   const double pixel =
     npr::FindSmallestPixel(renderer, actor->GetMatrix(), this->GetInput()->GetBounds());
   const double width = this->WidthUnit == WORLD && pixel > 0.0 ? this->Width / pixel : this->Width;
@@ -370,6 +372,9 @@ void vtkNPRStrokeMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetDepthTolerance(other->GetDepthTolerance());
     this->SetVisibilityRadius(other->GetVisibilityRadius());
     this->SetHiddenOpacity(other->GetHiddenOpacity());
+    this->SetSplineType(other->GetSplineType());
+    this->SetSplineChordError(other->GetSplineChordError());
+    this->SetSplineCornerAngle(other->GetSplineCornerAngle());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -399,4 +404,7 @@ void vtkNPRStrokeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
   os << indent << "VisibilityRadius: " << this->VisibilityRadius << "\n";
   os << indent << "HiddenOpacity: " << this->HiddenOpacity << "\n";
+  os << indent << "SplineType: " << this->SplineType << "\n";
+  os << indent << "SplineChordError: " << this->SplineChordError << "\n";
+  os << indent << "SplineCornerAngle: " << this->SplineCornerAngle << "\n";
 }

@@ -43,6 +43,10 @@
  * Joins, caps, dashes and media other than round, none and ink need to know how long strokes are in
  * the picture, which is measured on the CPU for each frame.
  *
+ * With a SplineType, strokes are curves over the points of the lines, evaluated on the GPU when the
+ * input changes or the camera comes nearer. Those whose length must be known are evaluated on the
+ * CPU. Cells that are picked are those of the input.
+ *
  * Media are procedural, without any bitmap. What belongs to the stroke (bristles, the pressure of
  * the hand) goes with it; the tooth of the paper stays where it is on the page, also in pictures
  * that are rendered in tiles.
@@ -59,6 +63,7 @@
 
 #include "vtkNPRRenderingStrokesModule.h"
 #include <vtkPolyDataMapper.h>
+#include <vtkTimeStamp.h>
 
 #include "nprVTKCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
 #include <array>
@@ -73,6 +78,7 @@ VTK_ABI_NAMESPACE_END
 namespace npr
 {
 class StrokeGraphics;
+struct CurveSettings;
 struct StrokeTolerance;
 struct PostponedStrokes;
 }
@@ -287,6 +293,37 @@ public:
   vtkGetMacro(HiddenOpacity, double);
   ///@}
 
+  /** Values of SplineType, as in vtkNPRSplineStrokes. */
+  enum SplineTypes
+  {
+    NONE = 0,
+    CATMULL_ROM = 1,
+    B_SPLINE = 2
+  };
+
+  ///@{
+  /** What lines become: with NONE they are drawn as they are; else their points are control points
+   * of the curves that vtkNPRSplineStrokes makes with its Tension's default. Default: NONE. */
+  vtkSetClampMacro(SplineType, int, NONE, B_SPLINE);
+  vtkGetMacro(SplineType, int);
+  void SetSplineTypeToNone() { this->SetSplineType(NONE); }
+  void SetSplineTypeToCatmullRom() { this->SetSplineType(CATMULL_ROM); }
+  void SetSplineTypeToBSpline() { this->SetSplineType(B_SPLINE); }
+  ///@}
+
+  ///@{
+  /** How far from its spline a curve may be drawn. Pixels, [0.001, 100]. Default: 0.1. */
+  vtkSetClampMacro(SplineChordError, double, 0.001, 100.0);
+  vtkGetMacro(SplineChordError, double);
+  ///@}
+
+  ///@{
+  /** Where lines turn by more than this, curves have corners. Degrees, [0, 180]; 180: none.
+   * Default: 60. */
+  vtkSetClampMacro(SplineCornerAngle, double, 0.0, 180.0);
+  vtkGetMacro(SplineCornerAngle, double);
+  ///@}
+
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
@@ -320,6 +357,11 @@ protected:
   double DepthTolerance = 2.0;
   double VisibilityRadius = 2.0;
   double HiddenOpacity = 0.0;
+  int SplineType = NONE;
+  double SplineChordError = 0.1;
+  double SplineCornerAngle = 60.0;
+
+  void ComputeBounds() override;
 
 private:
   vtkNPRStrokeMapper(const vtkNPRStrokeMapper&) = delete;
@@ -328,6 +370,8 @@ private:
   bool IsStyled() const;
   bool AreColorsOfCells();
   npr::StrokeTolerance GetTolerance(vtkRenderer* renderer, vtkActor* actor);
+  npr::CurveSettings GetCurves() const;
+  double GetMaximumError() const;
   vtkShaderProgram* ReadyProgram(const std::string& purpose);
   void DrawStrokes(vtkRenderer* renderer, vtkActor* actor, bool orderIndependent);
   // Return what was drawn to: x, y, width and height, within the viewport.
@@ -341,6 +385,8 @@ private:
   void DrawPostponed();
   void DrawForSelection(vtkRenderer* renderer, vtkActor* actor);
 
+  double Overshoot = 0.0; // of the curves beyond the bounds of the input
+  vtkTimeStamp OvershootTime;
   std::unique_ptr<npr::StrokeGraphics> Graphics;
   std::unique_ptr<npr::PostponedStrokes> Postponed;
 };
