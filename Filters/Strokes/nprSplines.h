@@ -130,6 +130,36 @@ inline double MaximumSpeed(const CubicSpan& span)
   return std::max({ detail::Length(first), detail::Length(middle), detail::Length(last) });
 }
 
+/// An upper bound of the distance of the span from its chord. The span is a Bezier curve; the ways
+/// of its inner control points from the chord, weighted with 3 t (1 - t)^2 and 3 t^2 (1 - t), are
+/// the curve's. The weights add up to 3/4 at most; where the ways are at right angles or lead to
+/// opposite sides, their squares add up to 9/32.
+inline double DistanceFromChord(const CubicSpan& span)
+{
+  const std::array<Vector3, 4>& k = span.Coefficients;
+  Vector3 chord, first, second;
+  double length2 = 0, along[2] = { 0, 0 };
+  for (int c = 0; c < 3; ++c)
+  {
+    chord[c] = k[1][c] + k[2][c] + k[3][c];
+    first[c] = k[1][c] / 3;
+    second[c] = (2 * k[1][c] + k[2][c]) / 3;
+    length2 += chord[c] * chord[c];
+    along[0] += first[c] * chord[c];
+    along[1] += second[c] * chord[c];
+  }
+  double dot = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    // To the nearest point of the chord.
+    first[c] -= length2 > 0 ? std::clamp(along[0] / length2, 0.0, 1.0) * chord[c] : 0.0;
+    second[c] -= length2 > 0 ? std::clamp(along[1] / length2, 0.0, 1.0) * chord[c] : 0.0;
+    dot += first[c] * second[c];
+  }
+  return (dot > 0 ? 3.0 / 4 : std::sqrt(9.0 / 32)) *
+    std::max(detail::Length(first), detail::Length(second));
+}
+
 /// Equal steps in t so that no chord is longer than segmentLength and none is farther than
 /// chordError from the curve. A limit that is not positive doesn't count.
 inline int NumberOfSteps(const CubicSpan& span, double segmentLength, double chordError, int limit)

@@ -109,7 +109,9 @@ private:
         }
         this->AddEnd(number + 1, span.Evaluate(1.0));
         this->Spans.push_back(number);
-        this->Steps.push_back(NumberOfSteps(span, 0.0, this->ChordError, this->MostSteps));
+        const bool flat = DistanceFromChord(span) <= this->ChordError && this->IsEven();
+        this->Steps.push_back(
+          flat ? 1 : NumberOfSteps(span, 0.0, this->ChordError, this->MostSteps));
       }
     }
   }
@@ -140,6 +142,20 @@ private:
       const unsigned char* const color = &this->Block.Colors[4 * control];
       this->EndColors.insert(this->EndColors.end(), color, color + 4);
     }
+  }
+
+  /// Whether the last span is as wide, strong, opaque and coloured at its end as at its start: then
+  /// it doesn't matter how fast it is passed.
+  bool IsEven() const
+  {
+    const StrokeRecord& a = *(this->Ends.end() - 2);
+    const StrokeRecord& b = this->Ends.back();
+    return std::abs(a.Width - b.Width) <= this->Tolerance.Width &&
+      std::abs(a.Strength - b.Strength) <= this->Tolerance.Strength &&
+      std::abs(a.Opacity - b.Opacity) <= this->Tolerance.Opacity &&
+      (this->EndColors.empty() ||
+        std::equal(
+          this->EndColors.end() - 8, this->EndColors.end() - 4, this->EndColors.end() - 4));
   }
 
   /// A span is within the hull of its control points as a Bezier curve.

@@ -129,9 +129,11 @@ bool StrokeGraphics::Upload(vtkPolyData* input, vtkUnsignedCharArray* colors, bo
   this->ColorsOfCells = ofCells;
   this->Curves = curves;
   this->UploadTime.Modified();
+  CurveSettings chosen = curves;
+  chosen.ChordError /= Reserve; // what it allows in this view
   if (curves.Kind != SplineKind::Polyline && !curves.Measured)
   {
-    StrokeCurves made = MakeStrokeCurves(input, colors, ofCells, this->Tolerance, curves);
+    StrokeCurves made = MakeStrokeCurves(input, colors, ofCells, this->Tolerance, chosen);
     if (made.Strokes.Records.size() <= MostControlPoints)
     {
       this->NumberOfSegments = std::max<std::ptrdiff_t>(made.Points.size(), 1) - 1;
@@ -139,12 +141,16 @@ bool StrokeGraphics::Upload(vtkPolyData* input, vtkUnsignedCharArray* colors, bo
         EvaluateCurves(made, this->Window, this->Buffer, this->Colors);
       this->Records = std::move(made.Strokes);
       this->MakeTextures(VTK_FLOAT);
+      if (!evaluated)
+      {
+        this->UploadTime = vtkTimeStamp();
+      }
       return evaluated;
     }
   }
   this->Records = curves.Kind == SplineKind::Polyline
     ? MakeStrokeRecords(input, colors, ofCells, this->Tolerance)
-    : SampleStrokeCurves(input, colors, ofCells, this->Tolerance, curves);
+    : SampleStrokeCurves(input, colors, ofCells, this->Tolerance, chosen);
   const std::vector<StrokeRecord>& records = this->Records.Records;
   this->NumberOfSegments = std::max<std::ptrdiff_t>(records.size(), 1) - 1;
   if (this->NumberOfSegments > 0)

@@ -312,7 +312,8 @@ public:
   ///@}
 
   ///@{
-  /** How far from its spline a curve may be drawn. Pixels, [0.001, 100]. Default: 0.1. */
+  /** How far from its spline a curve may be drawn, and half as much again before the camera has
+   * come so near that parts are chosen anew. Pixels, [0.001, 100]. Default: 0.1. */
   vtkSetClampMacro(SplineChordError, double, 0.001, 100.0);
   vtkGetMacro(SplineChordError, double);
   ///@}

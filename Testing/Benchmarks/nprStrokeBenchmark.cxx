@@ -6,17 +6,22 @@
 // A million points in strokes over the whole picture; and the contours and suggestive contours of
 // the model. "Untested": without the test against depth. The empty picture is taken off. Processor:
 // the time of all threads, which tells less of what else the machine does.
+// Then Catmull-Rom splines over the same and over fewer points: by vtkNPRSplineStrokes, and by the
+// mapper's SplineType; while the points move, so that each frame makes all of them anew, and while
+// only the camera does.
 #include "nprBenchmarkCost.h"
 #include "nprBenchmarkModel.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLines.h"
 #include "vtkNPROffscreen.h"
+#include "vtkNPRSplineStrokes.h"
 #include "vtkNPRStrokeMapper.h"
 #include "vtkNPRSurfaceNormals.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkMath.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -32,18 +37,17 @@ namespace
 constexpr double Width = 2.0;
 constexpr int Rounds = 9;
 
-/// Spirals on a sphere, of a thousand points each.
-vtkSmartPointer<vtkPolyData> MakeSpirals(int count)
+/// Spirals on a sphere, of so many points each.
+vtkSmartPointer<vtkPolyData> MakeSpirals(int count, int size)
 {
-  constexpr int Points = 1000;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   for (int spiral = 0; spiral < count; ++spiral)
   {
-    lines->InsertNextCell(Points);
-    for (int i = 0; i < Points; ++i)
+    lines->InsertNextCell(size);
+    for (int i = 0; i < size; ++i)
     {
-      const double z = -1.0 + 2.0 * (i + 0.5) / Points;
+      const double z = -1.0 + 2.0 * (i + 0.5) / size;
       const double radius = std::sqrt(1.0 - z * z);
       const double angle = 6.283185307 * spiral / count + 3.0 * z;
       lines->InsertCellPoint(
@@ -114,16 +118,7 @@ public:
         strokes->SetVisibility(which->Strokes);
         lines->SetVisibility(which->Lines);
         strokeMapper->SetDepthTest(which->Tested);
-        // A frame from another viewpoint; the data stay what they are.
-        const nprbench::Cost cost = nprbench::Measure(1,
-          [&]()
-          {
-            this->Renderer->GetActiveCamera()->Azimuth(1.0);
-            this->Window->Render();
-            this->Window->WaitForCompletion();
-          });
-        which->Least.Wall = std::min(which->Least.Wall, cost.Wall);
-        which->Least.Processor = std::min(which->Least.Processor, cost.Processor);
+        this->MeasureFrame(which->Least);
       }
     }
     const auto print = [&](const char* clock, double nprbench::Cost::*time)
@@ -139,7 +134,95 @@ public:
     this->Renderer->RemoveActor(strokes);
     this->Renderer->RemoveActor(lines);
   }
+
+  void CompareCurves(const char* what, vtkPolyData* data)
+  {
+    vtkNew<vtkNPRSplineStrokes> splines;
+    splines->SetInputData(data);
+    vtkNew<vtkNPRStrokeMapper> ofSplines;
+    vtkNew<vtkNPRStrokeMapper> curves;
+    const vtkSmartPointer<vtkActor> theirs = this->Add(data, ofSplines);
+    const vtkSmartPointer<vtkActor> ours = this->Add(data, curves);
+    ofSplines->SetInputConnection(splines->GetOutputPort());
+    curves->SetSplineTypeToCatmullRom();
+    this->Renderer->ResetCamera();
+    // The mapper's SplineChordError where a pixel is smallest on the lines.
+    vtkCamera* const camera = this->Renderer->GetActiveCamera();
+    const double pixel = 2.0 * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())) *
+      (camera->GetDistance() - 0.5 * data->GetLength()) / this->Window->GetSize()[1];
+    splines->SetMaximumChordError(curves->GetSplineChordError() * pixel);
+    nprbench::Cost nothing;
+    nprbench::Cost least[2][2]; // whether points move; whether by the mapper
+    for (int round = 0; round < Rounds; ++round)
+    {
+      for (const bool moves : { false, true })
+      {
+        for (const bool byMapper : { false, true })
+        {
+          theirs->SetVisibility(!byMapper);
+          ours->SetVisibility(byMapper);
+          if (!moves)
+          {
+            this->Window->Render(); // the points had moved before
+          }
+          this->MeasureFrame(least[moves][byMapper], moves ? data : nullptr);
+        }
+      }
+      theirs->VisibilityOff();
+      ours->VisibilityOff();
+      this->MeasureFrame(nothing);
+    }
+    for (const bool moves : { true, false })
+    {
+      const auto get = [&](double nprbench::Cost::*time, bool byMapper)
+      { return 1e3 * (least[moves][byMapper].*time - nothing.*time); };
+      const auto print = [&](const char* clock, double nprbench::Cost::*time)
+      {
+        std::printf("%-20s %-7s %-10s %8lld %8lld %8.1f %8.1f %7.2f\n", what,
+          moves ? "moving" : "still", clock, static_cast<long long>(data->GetNumberOfPoints()),
+          static_cast<long long>(splines->GetOutput()->GetNumberOfPoints()), get(time, false),
+          get(time, true), get(time, true) / get(time, false));
+      };
+      print("wall", &nprbench::Cost::Wall);
+      print("processor", &nprbench::Cost::Processor);
+    }
+    this->Renderer->RemoveActor(theirs);
+    this->Renderer->RemoveActor(ours);
+  }
+
+private:
+  /// A frame from another viewpoint; the data stay what they are, or they are said to have changed.
+  void MeasureFrame(nprbench::Cost& least, vtkPolyData* moved = nullptr)
+  {
+    const nprbench::Cost cost = nprbench::Measure(1,
+      [&]()
+      {
+        if (moved)
+        {
+          moved->GetPoints()->Modified();
+          moved->Modified();
+        }
+        this->Renderer->GetActiveCamera()->Azimuth(1.0);
+        this->Window->Render();
+        this->Window->WaitForCompletion();
+      });
+    least.Wall = std::min(least.Wall, cost.Wall);
+    least.Processor = std::min(least.Processor, cost.Processor);
+  }
 };
+
+void PrintCurvesHeader()
+{
+  std::printf("\ncurves: milliseconds of a frame beyond an empty one\n");
+  std::printf("%-20s %-7s %-10s %8s %8s %8s %8s %7s\n", "", "", "clock", "points", "sampled",
+    "filter", "mapper", "ratio");
+}
+
+void CompareSpirals(Scene& scene)
+{
+  scene.CompareCurves("spirals", MakeSpirals(1000, 1000));
+  scene.CompareCurves("coarse spirals", MakeSpirals(1000, 20));
+}
 }
 
 int main(int argc, char* argv[])
@@ -152,9 +235,11 @@ int main(int argc, char* argv[])
   std::printf("%-20s %-10s %8s %8s %8s %7s %9s %7s\n", "", "clock", "points", "VTK", "strokes",
     "ratio", "untested", "ratio");
   Scene spirals;
-  spirals.Compare("spirals", MakeSpirals(1000));
+  spirals.Compare("spirals", MakeSpirals(1000, 1000));
   if (argc < 2)
   {
+    PrintCurvesHeader();
+    CompareSpirals(spirals);
     return EXIT_SUCCESS;
   }
 
@@ -176,5 +261,8 @@ int main(int argc, char* argv[])
   lines->SetCamera(scene.Renderer->GetActiveCamera());
   lines->Update();
   scene.Compare("the model's lines", lines->GetOutput());
+  PrintCurvesHeader();
+  CompareSpirals(spirals);
+  scene.CompareCurves("the model's lines", lines->GetOutput());
   return EXIT_SUCCESS;
 }

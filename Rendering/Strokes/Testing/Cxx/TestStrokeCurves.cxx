@@ -78,7 +78,7 @@ void Compare(vtkPolyData* lines, int type, const std::string& what,
   splines->SetInputData(lines);
   splines->SetSplineType(type);
   splines->SetCornerAngle(cornerAngle);
-  splines->SetMaximumChordError(0.067);
+  splines->SetMaximumChordError(0.1);
   splines->Update();
   const vtkSmartPointer<vtkActor> reference = theirs.AddStrokes(splines->GetOutput(), 4);
   const vtkSmartPointer<vtkActor> strokes = ours.AddStrokes(lines, 4);
