@@ -12,6 +12,7 @@
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkMath.h>
+#include <vtkMinimalStandardRandomSequence.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -19,6 +20,8 @@
 #include <vtkSMPTools.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -116,6 +119,54 @@ Points Circle(int n, double radius)
 
 const Points Wave = { { 0, 0, 0 }, { 1, 0.4, 0 }, { 2, 0.3, 0.5 }, { 3.5, 0, 0.2 },
   { 4, -0.3, 0 } };
+
+// The bound against the farthest of many points from the segment between the ends.
+void TestDistanceFromChord()
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(5);
+  const auto next = [&random]()
+  {
+    random->Next();
+    return random->GetRangeValue(-1, 1);
+  };
+  const npr::SplineBasis basis = npr::GetSplineBasis(npr::SplineKind::CatmullRom, 0.5);
+  bool holds = true;
+  double tightest = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    std::array<npr::Vector3, 4> points;
+    for (npr::Vector3& point : points)
+    {
+      point = { next(), 0.3 * next(), i % 2 == 0 ? 0.0 : next() };
+    }
+    points[2] = i % 7 == 0 ? points[1] : points[2]; // a chord of no length
+    const npr::CubicSpan span = npr::MakeSpan(basis, points);
+    const npr::Vector3 start = span.Evaluate(0);
+    const npr::Vector3 end = span.Evaluate(1);
+    double farthest = 0;
+    for (int step = 1; step < 200; ++step)
+    {
+      const npr::Vector3 place = span.Evaluate(step / 200.0);
+      npr::Vector3 way, along;
+      vtkMath::Subtract(end.data(), start.data(), way.data());
+      vtkMath::Subtract(place.data(), start.data(), along.data());
+      const double length2 = vtkMath::Dot(way.data(), way.data());
+      const double t = length2 > 0
+        ? std::min(std::max(vtkMath::Dot(along.data(), way.data()) / length2, 0.0), 1.0)
+        : 0.0;
+      const npr::Vector3 nearest = { start[0] + t * way[0], start[1] + t * way[1],
+        start[2] + t * way[2] };
+      farthest = std::max(
+        farthest, std::sqrt(vtkMath::Distance2BetweenPoints(place.data(), nearest.data())));
+    }
+    const double bound = npr::DistanceFromChord(span);
+    holds = holds && farthest <= bound + 1e-12;
+    tightest = std::max(tightest, farthest / bound);
+  }
+  CHECK(holds);
+  CHECK(tightest > 0.9);
+}
 
 void TestCatmullRomInterpolates()
 {
@@ -507,6 +558,7 @@ void TestThreads()
 
 int TestSplineStrokes(int, char*[])
 {
+  TestDistanceFromChord();
   TestCatmullRomInterpolates();
   TestBSplineStaysInside();
   TestClosedHasNoSeam();
