@@ -54,7 +54,7 @@ npr::ImageLimits MakeLimits(bool hidden)
   // Where surfaces hide strokes is found for pieces of two pixels, which differ along other
   // segments: that far ends may move, with the same ink within a pixel of them.
   limits.LocalSSIM = hidden ? 0.0 : limits.LocalSSIM;
-  limits.MaxDifference = hidden ? 1.0 : 0.2;
+  limits.MaxDifference = hidden ? 1.0 : 0.35;
   return limits;
 }
 
@@ -78,7 +78,7 @@ void Compare(vtkPolyData* lines, int type, const std::string& what,
   splines->SetInputData(lines);
   splines->SetSplineType(type);
   splines->SetCornerAngle(cornerAngle);
-  splines->SetMaximumChordError(0.1);
+  splines->SetMaximumChordError(0.02);
   splines->Update();
   const vtkSmartPointer<vtkActor> reference = theirs.AddStrokes(splines->GetOutput(), 4);
   const vtkSmartPointer<vtkActor> strokes = ours.AddStrokes(lines, 4);
@@ -97,21 +97,23 @@ void Compare(vtkPolyData* lines, int type, const std::string& what,
 
 void Same(Picture&, vtkActor*) {}
 
+/// With one corner.
 Line MakeOpen()
 {
-  return { { 20, 30, -30 }, { 60, 35, 0 }, { 100, 90, 20 }, { 130, 30, -10 }, { 170, 60, 40 },
-    { 160, 140, 0 }, { 215, 150, -40 } };
+  return { { 20, 60, -30 }, { 50, 35, 0 }, { 85, 40, 20 }, { 105, 75, 0 }, { 140, 95, -10 },
+    { 170, 70, 40 }, { 175, 120, 0 }, { 195, 140, -20 }, { 225, 130, -40 } };
 }
 
+/// Without corners.
 Line MakeClosed()
 {
   Line line;
-  for (int i = 0; i <= 8; ++i)
+  for (int i = 0; i <= 10; ++i)
   {
-    const double angle = 2 * nprtest::Pi * (i % 8) / 8;
-    const double radius = 50 + 14 * (i % 2);
-    line.push_back({ 70 + radius * std::cos(angle), 160 + 0.8 * radius * std::sin(angle),
-      30 * std::cos(2 * angle) });
+    const double angle = 2 * nprtest::Pi * (i % 10) / 10;
+    const double radius = 48 + 6 * (i % 2);
+    line.push_back(
+      { 70 + radius * std::cos(angle), 165 + radius * std::sin(angle), 30 * std::cos(2 * angle) });
   }
   return line;
 }
@@ -133,7 +135,7 @@ Change Look(bool parallel, double zoom)
   return [=](Picture& picture, vtkActor*)
   {
     vtkCamera* const camera = picture.Renderer->GetActiveCamera();
-    const double middle[2] = { zoom > 1 ? 100.0 : 120.0, zoom > 1 ? 80.0 : 120.0 };
+    const double middle[2] = { zoom > 1 ? 100.0 : 120.0, zoom > 1 ? 60.0 : 120.0 };
     camera->SetParallelProjection(parallel);
     camera->SetParallelScale(0.5 * Size / zoom);
     camera->SetFocalPoint(middle[0], middle[1], 0);
@@ -147,10 +149,10 @@ void TestShapes()
   for (const int type : { vtkNPRStrokeMapper::CATMULL_ROM, vtkNPRStrokeMapper::B_SPLINE })
   {
     const std::string name = type == vtkNPRStrokeMapper::B_SPLINE ? "B-spline " : "Catmull-Rom ";
-    Compare(MakeLines({ MakeOpen() }), type, name + "open with corners", { Same });
-    Compare(MakeLines({ MakeOpen() }), type, name + "open without corners", { Same }, 180);
-    Compare(MakeLines({ MakeClosed() }), type, name + "closed with corners", { Same });
-    Compare(MakeLines({ MakeClosed() }), type, name + "closed", { Same }, 100);
+    Compare(MakeLines({ MakeOpen() }), type, name + "open with a corner", { Same });
+    Compare(MakeLines({ MakeOpen() }), type, name + "open without corner", { Same }, 180);
+    Compare(MakeLines({ MakeClosed() }), type, name + "closed with corners", { Same }, 20);
+    Compare(MakeLines({ MakeClosed() }), type, name + "closed", { Same });
     Compare(MakeLines({ MakeLeaf() }), type, name + "leaf", { Same });
     // One mapper, farther and nearer: more parts where they are needed.
     for (const bool parallel : { true, false })
@@ -326,7 +328,7 @@ void TestUses()
         second->SetBackground(1, 1, 1);
         second->AddActor(strokes);
         picture.Window->AddRenderer(second);
-        second->ResetCamera();
+        second->GetActiveCamera()->DeepCopy(picture.Renderer->GetActiveCamera());
         second->GetActiveCamera()->Zoom(3);
       } });
   const vtkSmartPointer<vtkPolyData> lines = MakeAll();
@@ -355,7 +357,7 @@ void TestPicking()
     selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
     selector->SetArea(0, 0, Size - 1, Size - 1);
     Check(selector->CaptureBuffers(), "the window can select");
-    const unsigned int places[3][2] = { { 60, 35 }, { 70, 200 }, { 195, 215 } };
+    const unsigned int places[3][2] = { { 50, 35 }, { 118, 165 }, { 195, 215 } };
     for (int i = 0; i < 3; ++i)
     {
       const vtkHardwareSelector::PixelInformation pixel = selector->GetPixelInformation(places[i]);
