@@ -27,8 +27,11 @@ using Eigen::Vector3d;
 constexpr double SmallestCosine = 0.5; // normals that differ by more than 60 degrees: no curve
 constexpr double LargestMove = 0.2;    // of the edge's length; a semicircle would need 0.5
 constexpr double LargestMoveOfShortest = 0.5; // of the shortest edge at either end
-constexpr double FlatCosine = 0.9999;         // less than 0.8 degrees from end to end
-constexpr double FlatSlope = 0.01;            // between a normal and the plane across the edge
+// Of a triangle's area, from either half of it to the other: so every part keeps some, whichever of
+// the edges are split.
+constexpr double LargestLoss = 0.125;
+constexpr double FlatCosine = 0.9999; // less than 0.8 degrees from end to end
+constexpr double FlatSlope = 0.01;    // between a normal and the plane across the edge
 constexpr int MaximumNumberOfPasses = RefinementReach; // each halves the edges
 
 /// Edges that are copies of one, where the preparation has split the surface.
@@ -251,10 +254,16 @@ private:
     }
   }
 
-  /// A long edge between finely sampled places, such as the ends of a fillet, is no coarse piece of
-  /// a curve, whatever the normals at its ends say.
-  double GetLargestMove(const Copies& copies) const
+  /// By how much a move must be shortened.
+  double GetFactor(const Copies& copies, const Vector3d& move) const
   {
+    const double length = move.norm();
+    if (!(length > 0.0))
+    {
+      return 1.0;
+    }
+    // A long edge between finely sampled places, such as the ends of a fillet, is no coarse piece
+    // of a curve, whatever the normals at its ends say.
     double largest = LargestMove * this->Lengths[copies.front()];
     for (Index edge : copies)
     {
@@ -263,7 +272,43 @@ private:
         largest = std::min(largest, LargestMoveOfShortest * this->ShortestEdges[end]);
       }
     }
-    return largest;
+    double factor = std::min(1.0, largest / length);
+    for (Index edge : copies)
+    {
+      factor = std::min(factor, this->GetFactorOfTriangles(edge, move));
+    }
+    return factor;
+  }
+
+  /// By how much a move must be shortened so that it folds none of the triangles at an edge over,
+  /// such as a sliver that is left of a cap between a round rim and a point near it.
+  double GetFactorOfTriangles(Index index, const Vector3d& move) const
+  {
+    const auto ends = this->Mesh.GetEdge(index);
+    double factor = 1.0;
+    for (const Index* t = this->Mesh.IncidentBegin(ends[0]); t != this->Mesh.IncidentEnd(ends[0]);
+         ++t)
+    {
+      const Triangle& corners = this->Mesh.GetTriangle(*t);
+      for (int e = 0; e < 3; ++e)
+      {
+        const Index from = corners[e];
+        const Index to = corners[(e + 1) % 3];
+        if (std::minmax(from, to) != std::minmax(ends[0], ends[1]))
+        {
+          continue;
+        }
+        const Vector3d a = this->Mesh.GetPoint(from).cast<double>();
+        const Vector3d b = this->Mesh.GetPoint(to).cast<double>();
+        const Vector3d c = this->Mesh.GetPoint(corners[(e + 2) % 3]).cast<double>();
+        const Vector3d normal = (b - a).cross(c - a);
+        // How the parts of the area beside a and b grow when the middle of the edge moves.
+        const double least = std::min(move.cross(c - a).dot(normal), move.cross(b - c).dot(normal));
+        const double allowed = LargestLoss * normal.squaredNorm();
+        factor = least < -allowed ? std::min(factor, allowed / -least) : factor;
+      }
+    }
+    return factor;
   }
 
   /// The shortest move that has the offset of each copy along that copy's normal.
@@ -329,14 +374,9 @@ private:
           // does it for all.
           const bool isCopy = groups[index] >= 0;
           const std::array<Index, 2> base = isCopy ? this->Mesh.GetEdge(firstCopies[index]) : ends;
-          Vector3d move =
-            isCopy ? this->GetCommonMove(this->AllCopies[groups[index]]) : edge.GetMove();
-          const double longest = isCopy ? this->GetLargestMove(this->AllCopies[groups[index]])
-                                        : this->GetLargestMove({ index });
-          if (move.norm() > longest)
-          {
-            move *= longest / move.norm();
-          }
+          const Copies copies = isCopy ? this->AllCopies[groups[index]] : Copies{ index };
+          Vector3d move = isCopy ? this->GetCommonMove(copies) : edge.GetMove();
+          move *= this->GetFactor(copies, move);
           const Vector3d middle = 0.5 *
             (this->Mesh.GetPoint(base[0]).cast<double>() +
               this->Mesh.GetPoint(base[1]).cast<double>());

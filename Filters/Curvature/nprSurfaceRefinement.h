@@ -59,8 +59,8 @@ struct RefinedSurface
  * that it is exact not only for parabolas but for spheres and round cylinders. On edges that the
  * preparation has split, all copies move alike: by the shortest way that has the offset of each
  * side along the normal of that side, so that the rim of a cylinder becomes round while its cap
- * stays flat. No move is longer than a fifth of the edge, and there is none where the normals
- * differ by more than 60 degrees.
+ * stays flat. No move is longer than a fifth of the edge, none folds a triangle at it over, and
+ * there is none where the normals differ by more than 60 degrees.
  *
  * New normals are the means of those at the ends.
  *

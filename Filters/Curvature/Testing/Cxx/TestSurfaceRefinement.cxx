@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Refined spheres are round, cans have round rims and flat caps, cubes stay cubes; no cracks
-// anywhere.
+// anywhere, nor folds.
 #include "nprCurvaturePipeline.h"
 #include "nprLengthScale.h"
 #include "vtkNPRSurfaceRefinement.h"
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
+#include <vtkMath.h>
 
 #include <map>
 #include <set>
@@ -331,6 +332,61 @@ void TestLongEdges(Checks& check)
   check(bounds[5] < Breadth, "long edges between short ones stay nearly straight", bounds[5]);
 }
 
+/// A round hole in a plate, and in the plate a point on the circle for each edge of the rim: a
+/// sliver is between the two, which the edge must not fold over where it becomes round.
+void TestSlivers(Checks& check)
+{
+  constexpr int Sides = 12;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  const auto add = [&](double radius, double step, double z)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * step / Sides;
+    points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), z);
+  };
+  for (int i = 0; i < Sides; ++i)
+  {
+    add(1.0, i, 2.0);
+    add(1.0, i + 0.5, 2.0);
+    add(2.0, i, 2.0);
+    add(1.0, i, 0.0);
+  }
+  for (vtkIdType i = 0; i < Sides; ++i)
+  {
+    const vtkIdType rim = 4 * i;
+    const vtkIdType near = rim + 1;
+    const vtkIdType outer = rim + 2;
+    const vtkIdType bottom = rim + 3;
+    const vtkIdType next = 4 * ((i + 1) % Sides);
+    triangles->InsertNextCell({ rim, near, next });
+    triangles->InsertNextCell({ rim, outer, near });
+    triangles->InsertNextCell({ near, outer, next + 2 });
+    triangles->InsertNextCell({ near, next + 2, next });
+    triangles->InsertNextCell({ rim, next, next + 3 });
+    triangles->InsertNextCell({ rim, next + 3, bottom });
+  }
+  vtkNew<vtkPolyData> plate;
+  plate->SetPoints(points);
+  plate->SetPolys(triangles);
+  Refined refined(plate);
+  refined.Refinement->SetMaximumEdgeLength(0.02);
+  vtkPolyData* output = refined.Update();
+  const npr::TriangleMesh mesh(output);
+  int flat = 0;
+  int folded = 0;
+  for (npr::TriangleMesh::Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    const auto normal = GetTuple<3>(output, npr::names::Normals, mesh.GetTriangle(t)[0]);
+    if (normal.z() > 0.9)
+    {
+      ++flat;
+      folded += mesh.GetAreaNormal(t).z() <= 0.0f;
+    }
+  }
+  check(flat > 10 * Sides, "the plate is parted around the hole", flat);
+  check(folded == 0, "no triangle of it is folded over", folded);
+}
+
 void TestArrays(Checks& check)
 {
   AnalyticSurface waves = MakeWaves(12);
@@ -436,6 +492,7 @@ int TestSurfaceRefinement(int, char*[])
   TestCan(check);
   TestChordError(check);
   TestFlat(check);
+  TestSlivers(check);
   TestArrays(check);
   TestDerivatives(check);
   return check.GetResult();
