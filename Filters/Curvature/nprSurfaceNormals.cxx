@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -161,6 +162,112 @@ bool FitBorderNormal(const TriangleMesh& mesh, const std::vector<unsigned char>&
 }
 
 //------------------------------------------------------------------------------
+/// The angle that the triangles around a point fill.
+double GetFanAngle(const TriangleMesh& mesh, Index point)
+{
+  double angle = 0.0;
+  for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+  {
+    const TriangleMesh::Triangle& corners = mesh.GetTriangle(*t);
+    const int here = corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
+    const Vector3d a = Corner(mesh, corners[(here + 1) % 3]) - Corner(mesh, point);
+    const Vector3d b = Corner(mesh, corners[(here + 2) % 3]) - Corner(mesh, point);
+    angle += std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  return angle;
+}
+
+//------------------------------------------------------------------------------
+/// The most that an edge from a point to settled ones bulges, were its normal this: eight times as
+/// far as the curve is from the chord.
+double GetLargestBulge(const TriangleMesh& mesh, const std::vector<unsigned char>& settled,
+  const Tuples<3>& normals, Index point, const Vector3d& normal)
+{
+  double largest = 0.0;
+  for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+  {
+    for (Index corner : mesh.GetTriangle(*t))
+    {
+      if (corner != point && settled[corner])
+      {
+        const Vector3d edge = Corner(mesh, corner) - Corner(mesh, point);
+        largest = std::max(largest, std::abs(edge.dot(normals[corner].cast<double>() - normal)));
+      }
+    }
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+/// Whether edges from a point would bulge about as much as those from its settled neighbours do:
+/// not so at the far end of a plane that goes over into a fillet, whose edges are sampled far more
+/// coarsely than an arc would be.
+bool IsSampledAlike(const TriangleMesh& mesh, const std::vector<unsigned char>& settled,
+  const Tuples<3>& normals, Index point, const Vector3d& normal)
+{
+  constexpr double LargestRatio = 4.0;
+  double known = 0.0;
+  for (const Index* t = mesh.IncidentBegin(point); t != mesh.IncidentEnd(point); ++t)
+  {
+    for (Index corner : mesh.GetTriangle(*t))
+    {
+      if (corner != point && settled[corner])
+      {
+        known = std::max(
+          known, GetLargestBulge(mesh, settled, normals, corner, normals[corner].cast<double>()));
+      }
+    }
+  }
+  return GetLargestBulge(mesh, settled, normals, point, normal) <= LargestRatio * known;
+}
+
+//------------------------------------------------------------------------------
+/// Whether the sides of a border make an angle there.
+bool IsCorner(const TriangleMesh& mesh, Index point)
+{
+  constexpr double LargestAngle = 2.356; // 135 degrees
+  return GetFanAngle(mesh, point) < LargestAngle;
+}
+
+//------------------------------------------------------------------------------
+/// Settles those of the open points that accept a normal fit, all by the same state. They are open
+/// no longer.
+template<typename Fit>
+void FitRound(
+  std::vector<unsigned char>& settled, Tuples<3>& normals, std::vector<Index>& open, const Fit& fit)
+{
+  std::vector<unsigned char> done(open.size(), 0);
+  Tuples<3> fitted(open.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(open.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        Vector3d normal;
+        done[i] = fit(open[i], normal);
+        if (done[i])
+        {
+          fitted[i] = normal.cast<float>();
+        }
+      }
+    });
+  std::vector<Index> left;
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    if (done[i])
+    {
+      settled[open[i]] = 1;
+      normals[open[i]] = fitted[i];
+    }
+    else
+    {
+      left.push_back(open[i]);
+    }
+  }
+  open.swap(left);
+}
+
+//------------------------------------------------------------------------------
 void FitBorderNormals(const TriangleMesh& mesh, Tuples<3>& normals)
 {
   const std::vector<unsigned char> border = ComputeBorderPoints(mesh);
@@ -179,35 +286,26 @@ void FitBorderNormals(const TriangleMesh& mesh, Tuples<3>& normals)
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round)
   {
-    std::vector<unsigned char> done(open.size(), 0);
-    Tuples<3> fitted(open.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(open.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          Vector3d normal;
-          done[i] = FitBorderNormal(mesh, settled, normals, round < rounds - 1, open[i], normal);
-          if (done[i])
-          {
-            fitted[i] = normal.cast<float>();
-          }
-        }
-      });
-    std::vector<Index> left;
-    for (std::size_t i = 0; i < open.size(); ++i)
+    FitRound(settled, normals, open,
+      [&](Index point, Vector3d& normal)
+      { return FitBorderNormal(mesh, settled, normals, round < rounds - 1, point, normal); });
+  }
+  // What is left has no inner points, such as the side of a cylinder in one row: there the points
+  // along the border know how the surface turns along it, and its corners follow them.
+  FitRound(settled, normals, open,
+    [&](Index point, Vector3d& normal)
     {
-      if (done[i])
+      normal = normals[point].cast<double>();
+      return !IsCorner(mesh, point);
+    });
+  for (int round = 0; round < 2; ++round)
+  {
+    FitRound(settled, normals, open,
+      [&](Index point, Vector3d& normal)
       {
-        settled[open[i]] = 1;
-        normals[open[i]] = fitted[i];
-      }
-      else
-      {
-        left.push_back(open[i]);
-      }
-    }
-    open.swap(left);
+        return FitBorderNormal(mesh, settled, normals, true, point, normal) &&
+          IsSampledAlike(mesh, settled, normals, point, normal);
+      });
   }
 }
 }

@@ -26,17 +26,19 @@ enum class NormalWeights
   Angle ///< its angle there
 };
 
-/// Of how many rings of triangles around a point its normal may depend: one, and up to four more
-/// where that of a border follows those of its neighbours.
-inline constexpr int NormalsReach = 5;
+/// Of how many rings of triangles around a point its normal may depend: one, and up to eight
+/// more where that of a border follows those of its neighbours, and of those next to them.
+inline constexpr int NormalsReach = 9;
 
 /**
  * Unit normals at the points (needs the incidence).
  *
  * On a border half of the neighbourhood is missing, and every weighting leans to one side. There
  * the normal is turned so that it and the normals of its inner neighbours make equal angles with
- * the edges between them, as on a circle: exact to second order. A point where nothing is known (no
- * triangle, no area) gets the normal of its largest triangle, or else the z axis; never NaN.
+ * the edges between them, as on a circle: exact to second order. So are those of the corners of
+ * strips, which have no inner points, by their neighbours along the border, if they are sampled
+ * alike. A point where nothing is known (no triangle, no area) gets the normal of its largest
+ * triangle, or else the z axis; never NaN.
  */
 VTKNPRFILTERSCURVATURE_EXPORT Tuples<3> ComputeNormals(
   const TriangleMesh& mesh, NormalWeights weights);

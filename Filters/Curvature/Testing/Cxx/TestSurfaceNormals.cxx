@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertex normals: each weighting as it is defined, exactness on spheres, and what is active
-// afterwards.
+// Vertex normals: each weighting as it is defined, exactness on spheres and strips, and what is
+// active afterwards.
 #include "nprCurvaturePipeline.h"
+
+#include <vtkMath.h>
+
+#include <algorithm>
 
 using namespace nprtest;
 
@@ -67,6 +71,56 @@ void TestSphere(Checks& check)
   }
   check(error < 2e-6, "a sphere's normals are exact", error);
 }
+
+/// The side of a quarter of a cylinder of radius 1, in one row, and after it so much of a plane
+/// that touches it: there is no inner point.
+vtkSmartPointer<vtkPolyData> MakeStrip(int panels, double plane)
+{
+  auto strip = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  const int columns = panels + (plane > 0.0 ? 1 : 0);
+  for (vtkIdType i = 0; i <= columns; ++i)
+  {
+    const double angle = 0.5 * vtkMath::Pi() * std::min<double>(i, panels) / panels;
+    const double x = std::cos(angle) - (i > panels ? plane : 0.0);
+    points->InsertNextPoint(x, std::sin(angle), 0.0);
+    points->InsertNextPoint(x, std::sin(angle), 3.0);
+    if (i > 0)
+    {
+      const vtkIdType a = 2 * i - 2;
+      cells->InsertNextCell({ a, a + 2, a + 3 });
+      cells->InsertNextCell({ a, a + 3, a + 1 });
+    }
+  }
+  strip->SetPoints(points);
+  strip->SetPolys(cells);
+  return strip;
+}
+
+void TestStrips(Checks& check)
+{
+  constexpr int Panels = 9;
+  for (const double plane : { 0.0, 2.0 })
+  {
+    const auto strip = MakeStrip(Panels, plane);
+    vtkNew<vtkNPRSurfaceNormals> normals;
+    normals->SetInputData(strip);
+    normals->Update();
+    for (vtkIdType i = 0; i < strip->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      strip->GetPoint(i, p);
+      const Vector3d normal = GetTuple<3>(normals->GetOutput(), npr::names::Normals, i);
+      const bool ofPlane = i / 2 > Panels;
+      const bool isTouching = plane > 0.0 && i / 2 == Panels;
+      const Vector3d expected = ofPlane ? Vector3d(0.0, 1.0, 0.0) : Vector3d(p[0], p[1], 0.0);
+      check(isTouching || (normal - expected).norm() < 1e-3,
+        "normals of strips are those of the cylinder, to its corners, and of the plane",
+        (normal - expected).norm());
+    }
+  }
+}
 }
 
 int TestSurfaceNormals(int, char*[])
@@ -74,5 +128,6 @@ int TestSurfaceNormals(int, char*[])
   Checks check;
   TestWeights(check);
   TestSphere(check);
+  TestStrips(check);
   return check.GetResult();
 }
