@@ -6,6 +6,7 @@
 #include <vtkMath.h>
 #include <vtkPoints.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace npr
@@ -18,13 +19,27 @@ bool IsSamePlace(const Vector3& a, const Vector3& b)
 }
 
 /// Cosine of the angle by which a -> b -> c turns.
-double TurnCosine(const Vector3& a, const Vector3& b, const Vector3& c)
+/// Beside spans that are so much shorter, a spline overshoots: its tangent, half the way from one
+/// neighbour to the other, is more than three times a span (Fritsch, Carlson 1980).
+constexpr double LongestReach = 6.0;
+
+/// Whether a chain from a over b to c turns by more than an angle, or by more than half of it where
+/// a spline would overshoot.
+bool IsCorner(const Vector3& a, const Vector3& b, const Vector3& c, double cosine)
 {
-  Vector3 in, out;
+  Vector3 in, out, reach;
   vtkMath::Subtract(b.data(), a.data(), in.data());
   vtkMath::Subtract(c.data(), b.data(), out.data());
-  const double lengths = vtkMath::Norm(in.data()) * vtkMath::Norm(out.data());
-  return lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
+  vtkMath::Subtract(c.data(), a.data(), reach.data());
+  const double inLength = vtkMath::Norm(in.data());
+  const double outLength = vtkMath::Norm(out.data());
+  const double lengths = inLength * outLength;
+  const double turn = lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
+  if (cosine >= -1.0 && vtkMath::Norm(reach.data()) > LongestReach * std::min(inLength, outLength))
+  {
+    return turn < std::sqrt(0.5 * (1.0 + cosine));
+  }
+  return turn < cosine;
 }
 }
 
@@ -77,8 +92,8 @@ std::vector<SplinePart> SplitAtCorners(const StrokeChain& chain, double cornerCo
   std::vector<std::size_t> corners;
   for (std::size_t i = chain.Closed ? 0 : 1; i < (chain.Closed ? n : n - 1); ++i)
   {
-    if (TurnCosine(chain.Points[(i + n - 1) % n].Position, chain.Points[i].Position,
-          chain.Points[(i + 1) % n].Position) < cornerCosine)
+    if (IsCorner(chain.Points[(i + n - 1) % n].Position, chain.Points[i].Position,
+          chain.Points[(i + 1) % n].Position, cornerCosine))
     {
       corners.push_back(i);
     }

@@ -98,7 +98,11 @@ public:
   ///@}
 
   ///@{
-  /** The chain turning by more than this is a corner. Degrees, [0, 180]; 180: none. Default: 60. */
+  /**
+   * The chain turning by more than this is a corner; by more than half of it where a span is so
+   * much shorter than the next that splines would make a loop of it. Degrees, [0, 180]; 180: none.
+   * Default: 60.
+   */
   vtkSetClampMacro(CornerAngle, double, 0.0, 180.0);
   vtkGetMacro(CornerAngle, double);
   ///@}

@@ -195,6 +195,21 @@ void TestCatmullRomInterpolates()
   }
 }
 
+// Where an arc of short spans meets one that is a hundred times longer, as on a sheet of metal.
+void TestCatmullRomMakesNoLoops()
+{
+  vtkNew<vtkNPRSplineStrokes> filter;
+  filter->SetSubdivisions(16);
+  const Points bend = { { -2.0, -2.4, 0 }, { -1.3, -1.6, 0 }, { -0.65, -0.8, 0 }, { 0, 0, 0 },
+    { 100, 0, 0 }, { 200, 0, 0 } };
+  const Points out = Run(filter, bend);
+  for (std::size_t i = 1; i < out.size(); ++i)
+  {
+    CHECK(out[i][0] > out[i - 1][0]);
+    CHECK(out[i][1] < 1e-12 && out[i][1] > -2.4 - 1e-12);
+  }
+}
+
 void TestBSplineStaysInside()
 {
   vtkNew<vtkNPRSplineStrokes> filter;
@@ -560,6 +575,7 @@ int TestSplineStrokes(int, char*[])
 {
   TestDistanceFromChord();
   TestCatmullRomInterpolates();
+  TestCatmullRomMakesNoLoops();
   TestBSplineStaysInside();
   TestClosedHasNoSeam();
   TestCornersSurvive();
