@@ -372,14 +372,15 @@ int main(int argc, char* argv[])
   {
     return EXIT_FAILURE;
   }
-  illustration->Apply();
   vtkIdType triangles = 0;
   for (vtkActor* const actor : actors)
   {
+    actor->GetMapper()->Update();
     triangles +=
       vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))->GetNumberOfPolys();
   }
-  std::printf("%s%s: %lld triangles as prepared\n",
+  illustration->Apply();
+  std::printf("%s%s: %lld triangles\n",
     arguments.Models.empty() ? "sample" : arguments.Models[0].c_str(),
     arguments.Models.size() > 1 ? " ..." : "", static_cast<long long>(triangles));
   std::printf("%-12s %10s %8s %8s %8s %7s %8s %9s %9s %10s\n", "view", "visibility", "strokes",
