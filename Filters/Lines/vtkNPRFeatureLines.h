@@ -42,8 +42,8 @@
  * @par Pieces
  * Asks for ghost levels and draws what is in its own triangles; chains end where pieces meet. So N
  * pieces have the segments of the whole, if all have one LengthScale, and levels that do not follow
- * from the range of values in a piece (for parabolic lines and those of zero mean curvature see
- * vtkNPRZeroCurvatureLines).
+ * from the range of values in a piece (for lines that are smoothed see vtkNPRZeroCurvatureLines and
+ * vtkNPRIsophotes).
  *
  * @sa vtkNPRLineDefinition
  */

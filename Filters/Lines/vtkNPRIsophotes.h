@@ -18,6 +18,11 @@
  * @par Scaled props
  * Normals are those of the model itself, also where a prop scales it unevenly.
  *
+ * @par Smoothing
+ * Is done once for a surface, and again when its points move: for animations that need not wait,
+ * set it to 0. Of a surface in pieces, it reaches just their ghost triangles, so that lines may be
+ * elsewhere near their borders; without it, pieces have the lines of the whole.
+ *
  * @sa vtkNPRFeatureLines
  */
 #ifndef vtkNPRIsophotes_h
