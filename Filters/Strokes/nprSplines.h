@@ -102,18 +102,23 @@ inline CubicSpan MakeSpan(const SplineBasis& basis, const std::array<Vector3, 4>
 
 namespace detail
 {
+inline double SquaredLength(const Vector3& v)
+{
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
 inline double Length(const Vector3& v)
 {
-  return std::hypot(v[0], v[1], v[2]);
+  return std::sqrt(SquaredLength(v));
 }
 }
 
-/// No chord of the span over an interval dt is farther from the curve than this times dt^2 / 8,
-/// for the second derivative of a cubic is linear in t.
-inline double MaximumSecondDerivative(const CubicSpan& span)
+/// The square of the longest second derivative. No chord of the span over an interval dt is farther
+/// from the curve than the latter times dt^2 / 8, for it is linear in t.
+inline double MaximumSquaredSecondDerivative(const CubicSpan& span)
 {
-  return std::max(
-    detail::Length(span.SecondDerivative(0)), detail::Length(span.SecondDerivative(1)));
+  return std::max(detail::SquaredLength(span.SecondDerivative(0)),
+    detail::SquaredLength(span.SecondDerivative(1)));
 }
 
 /// An upper bound of the speed: the control points of the derivative as a quadratic Bezier curve.
@@ -171,8 +176,11 @@ inline int NumberOfSteps(const CubicSpan& span, double segmentLength, double cho
   }
   if (chordError > 0)
   {
-    steps = std::max(
-      steps, std::ceil(std::sqrt(MaximumSecondDerivative(span) / (8 * chordError)) - 1e-9));
+    const double bend2 = MaximumSquaredSecondDerivative(span);
+    if (bend2 > 64 * chordError * chordError)
+    {
+      steps = std::max(steps, std::ceil(std::sqrt(std::sqrt(bend2) / (8 * chordError)) - 1e-9));
+    }
   }
   return static_cast<int>(std::min<double>(steps, limit));
 }

@@ -18,7 +18,6 @@ bool IsSamePlace(const Vector3& a, const Vector3& b)
   return !(vtkMath::Distance2BetweenPoints(a.data(), b.data()) > 0);
 }
 
-/// Cosine of the angle by which a -> b -> c turns.
 /// Beside spans that are so much shorter, a spline overshoots: its tangent, half the way from one
 /// neighbour to the other, is more than three times a span (Fritsch, Carlson 1980).
 constexpr double LongestReach = 6.0;
@@ -27,19 +26,22 @@ constexpr double LongestReach = 6.0;
 /// a spline would overshoot.
 bool IsCorner(const Vector3& a, const Vector3& b, const Vector3& c, double cosine)
 {
-  Vector3 in, out, reach;
+  Vector3 in, out;
   vtkMath::Subtract(b.data(), a.data(), in.data());
   vtkMath::Subtract(c.data(), b.data(), out.data());
-  vtkMath::Subtract(c.data(), a.data(), reach.data());
   const double inLength = vtkMath::Norm(in.data());
   const double outLength = vtkMath::Norm(out.data());
   const double lengths = inLength * outLength;
   const double turn = lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
-  if (cosine >= -1.0 && vtkMath::Norm(reach.data()) > LongestReach * std::min(inLength, outLength))
+  if (turn < cosine)
   {
-    return turn < std::sqrt(0.5 * (1.0 + cosine));
+    return true;
   }
-  return turn < cosine;
+  // By the cosine of twice the turn; unless no turn is a corner.
+  const bool turnsHalf = cosine >= -1.0 && (turn < 0.0 || 2.0 * turn * turn - 1.0 < cosine);
+  return turnsHalf &&
+    std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), c.data())) >
+    LongestReach * std::min(inLength, outLength);
 }
 }
 
@@ -47,6 +49,7 @@ bool IsCorner(const Vector3& a, const Vector3& b, const Vector3& c, double cosin
 std::vector<StrokeChain> MakeStrokeChains(vtkPoints* points, vtkIdList* ids)
 {
   std::vector<StrokeChain> chains(1);
+  chains[0].Points.reserve(ids->GetNumberOfIds());
   bool cut = false;
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
@@ -92,8 +95,8 @@ std::vector<SplinePart> SplitAtCorners(const StrokeChain& chain, double cornerCo
   std::vector<std::size_t> corners;
   for (std::size_t i = chain.Closed ? 0 : 1; i < (chain.Closed ? n : n - 1); ++i)
   {
-    if (IsCorner(chain.Points[(i + n - 1) % n].Position, chain.Points[i].Position,
-          chain.Points[(i + 1) % n].Position, cornerCosine))
+    if (IsCorner(chain.Points[i > 0 ? i - 1 : n - 1].Position, chain.Points[i].Position,
+          chain.Points[i + 1 < n ? i + 1 : 0].Position, cornerCosine))
     {
       corners.push_back(i);
     }

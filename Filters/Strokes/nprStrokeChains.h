@@ -14,6 +14,7 @@
 #include <vtkType.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -75,18 +76,44 @@ public:
       ->Points[(this->First + static_cast<std::size_t>(within)) % this->Chain->Points.size()];
   }
 
-  CubicSpan MakeSpan(std::ptrdiff_t i, const SplineBasis& basis) const
-  {
-    return npr::MakeSpan(basis,
-      { this->GetPoint(i - 1).Position, this->GetPoint(i).Position, this->GetPoint(i + 1).Position,
-        this->GetPoint(i + 2).Position });
-  }
-
 private:
   const StrokeChain* Chain;
   std::size_t First;
   std::ptrdiff_t Size;
   bool Closed;
+};
+
+/// The points of one span of a part after another.
+class SpanPoints
+{
+public:
+  SpanPoints(const SplinePart& part, std::ptrdiff_t span) : Part(part), Next(span + 3)
+  {
+    for (std::ptrdiff_t i = 0; i < 4; ++i)
+    {
+      this->Points[i] = &part.GetPoint(span - 1 + i);
+    }
+  }
+
+  void Advance()
+  {
+    std::copy(this->Points.begin() + 1, this->Points.end(), this->Points.begin());
+    this->Points.back() = &this->Part.GetPoint(this->Next++);
+  }
+
+  const StrokePoint& GetStart() const { return *this->Points[1]; }
+  const StrokePoint& GetEnd() const { return *this->Points[2]; }
+  CubicSpan MakeSpan(const SplineBasis& basis) const
+  {
+    return npr::MakeSpan(basis,
+      { this->Points[0]->Position, this->Points[1]->Position, this->Points[2]->Position,
+        this->Points[3]->Position });
+  }
+
+private:
+  const SplinePart& Part;
+  std::ptrdiff_t Next;
+  std::array<const StrokePoint*, 4> Points;
 };
 
 /// From an angle in degrees to what SplitAtCorners() takes; no turn is a corner at 180 degrees.

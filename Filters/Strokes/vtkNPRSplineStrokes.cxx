@@ -40,7 +40,7 @@ void MoveTowards(npr::Vector3& place, const npr::Vector3& goal, double most)
 void Smooth(npr::StrokeChain& chain, int iterations, double maximumShift)
 {
   const std::size_t n = chain.Points.size();
-  if (n < 3)
+  if (n < 3 || iterations == 0)
   {
     return;
   }
@@ -56,8 +56,8 @@ void Smooth(npr::StrokeChain& chain, int iterations, double maximumShift)
         moved[i] = here;
         continue;
       }
-      const npr::Vector3& before = chain.Points[(i + n - 1) % n].Position;
-      const npr::Vector3& after = chain.Points[(i + 1) % n].Position;
+      const npr::Vector3& before = chain.Points[i > 0 ? i - 1 : n - 1].Position;
+      const npr::Vector3& after = chain.Points[i + 1 < n ? i + 1 : 0].Position;
       for (int c = 0; c < 3; ++c)
       {
         moved[i][c] = 0.25 * (before[c] + 2 * here[c] + after[c]);
@@ -116,19 +116,23 @@ private:
     const npr::StrokeChain& chain, std::vector<npr::StrokeSample>& samples) const
   {
     std::vector<std::size_t> ends;
+    if (samples.empty())
+    {
+      samples.reserve(chain.Points.size() + 3); // what dense chains need
+    }
     bool withFirst = true;
     for (const npr::SplinePart& part : npr::SplitAtCorners(chain, this->CornerCosine))
     {
       const std::ptrdiff_t end = part.GetEndSpan(this->Kind);
-      for (std::ptrdiff_t i = part.GetFirstSpan(this->Kind); i < end; ++i)
+      npr::SpanPoints points(part, part.GetFirstSpan(this->Kind));
+      for (std::ptrdiff_t i = part.GetFirstSpan(this->Kind); i < end; ++i, points.Advance())
       {
-        const npr::CubicSpan span = part.MakeSpan(i, this->Basis);
+        const npr::CubicSpan span = points.MakeSpan(this->Basis);
         const int steps = this->GetNumberOfSteps(span);
         for (int step = withFirst ? 0 : 1; step <= steps; ++step)
         {
           const double t = static_cast<double>(step) / steps;
-          samples.push_back(
-            { span.Evaluate(t), 0.0, part.GetPoint(i).Id, part.GetPoint(i + 1).Id, t });
+          samples.push_back({ span.Evaluate(t), 0.0, points.GetStart().Id, points.GetEnd().Id, t });
         }
         withFirst = false;
       }

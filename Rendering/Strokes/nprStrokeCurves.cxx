@@ -99,9 +99,10 @@ private:
       {
         this->WriteControl(part.GetPoint(i), line);
       }
-      for (std::ptrdiff_t i = first; i < end; ++i, ++number)
+      SpanPoints points(part, first);
+      for (std::ptrdiff_t i = first; i < end; ++i, ++number, points.Advance())
       {
-        const CubicSpan span = part.MakeSpan(i, this->Basis);
+        const CubicSpan span = points.MakeSpan(this->Basis);
         this->AddToSize(span);
         if (this->Ends.empty())
         {
