@@ -9,7 +9,6 @@
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
@@ -45,6 +44,20 @@ void SetKinds(
   }
 }
 
+/// The points of one line.
+struct LinePoints
+{
+  vtkIdType Size;
+  const vtkIdType* Ids;
+};
+
+/// The records of one line after another, as far as they are needed, and their colours.
+struct LineRecords
+{
+  std::vector<StrokeRecord> Records;
+  std::vector<unsigned char> Colors;
+};
+
 /// Writes records of strokes.
 class RecordWriter
 {
@@ -52,25 +65,22 @@ public:
   /// What is needed for one line after another.
   struct Scratch
   {
-    vtkNew<vtkIdList> Ids;
     std::vector<StrokeRecord> Records;
     std::vector<unsigned char> Colors;
     std::vector<std::size_t> Kept;
   };
 
-  RecordWriter(vtkPolyData* strokes, const StrokeReader& reader, const StrokeTolerance& tolerance)
-    : Strokes(strokes), Points(strokes->GetPoints()), Reader(reader), Tolerance(tolerance)
+  RecordWriter(const StrokeReader& reader, const StrokeTolerance& tolerance)
+    : Reader(reader), Tolerance(tolerance)
   {
   }
 
-  /// The records of a line that are needed, and their colours. @returns how many
-  std::ptrdiff_t WriteLine(
-    vtkIdType line, Scratch& scratch, StrokeRecord* to, unsigned char* toColors) const
+  /// Appends the records of a line that are needed.
+  void WriteLine(vtkIdType line, const LinePoints& points, Scratch& scratch, LineRecords& to) const
   {
-    this->Strokes->GetLines()->GetCellAtId(line, scratch.Ids);
-    const bool closed = this->IsClosed(scratch.Ids);
-    this->Write(scratch.Ids, scratch.Records);
-    this->WriteColors(line, scratch);
+    const bool closed = this->IsClosed(points);
+    this->Write(points, scratch.Records);
+    this->WriteColors(line, points, scratch);
     std::vector<std::size_t>& kept = scratch.Kept;
     SimplifyStroke(scratch.Records, this->Reader.HasColors() ? scratch.Colors.data() : nullptr,
       this->Tolerance, kept);
@@ -80,107 +90,96 @@ public:
       kept.insert(kept.begin(), kept[kept.size() - 2]);
       kept.push_back(kept[2]);
     }
-    for (std::size_t i = 0; i < kept.size(); ++i)
+    const std::size_t begin = to.Records.size();
+    for (const std::size_t index : kept)
     {
-      to[i] = scratch.Records[kept[i]];
+      to.Records.push_back(scratch.Records[index]);
       if (this->Reader.HasColors())
       {
-        std::copy_n(&scratch.Colors[4 * kept[i]], 4, toColors + 4 * i);
+        const auto color = scratch.Colors.begin() + static_cast<std::ptrdiff_t>(4 * index);
+        to.Colors.insert(to.Colors.end(), color, color + 4);
       }
     }
-    StrokeRecord* const end = to + kept.size();
+    StrokeRecord* const first = to.Records.data() + begin;
+    StrokeRecord* const end = first + kept.size();
     const int extra = closed ? 1 : 0;
-    SetKinds(to + extra, end - extra, closed,
+    SetKinds(first + extra, end - extra, closed,
       StrokeNumber * static_cast<int>(line % MostStrokeNumbers) +
         (this->Reader.IsHidden(line) ? Hidden : 0),
       this->Tolerance);
     if (closed)
     {
-      to->Kind = (end - 1)->Kind = 0.0f;
+      first->Kind = (end - 1)->Kind = 0.0f;
     }
-    return end - to;
   }
 
 private:
-  Position GetPoint(vtkIdType id) const
-  {
-    Position x;
-    this->Points->GetPoint(id, x.data());
-    return x;
-  }
-
   /// Whether the last point is at the place of the first.
-  bool IsClosed(vtkIdList* ids) const
+  bool IsClosed(const LinePoints& points) const
   {
-    const vtkIdType size = ids->GetNumberOfIds();
-    return size > 3 && IsFinite(this->GetPoint(ids->GetId(0))) &&
-      this->GetPoint(ids->GetId(0)) == this->GetPoint(ids->GetId(size - 1));
+    const Position first = points.Size > 3 ? this->Reader.GetPlace(points.Ids[0]) : Position();
+    return points.Size > 3 && IsFinite(first) &&
+      first == this->Reader.GetPlace(points.Ids[points.Size - 1]);
   }
 
   /// All points of a line, without kinds.
-  void Write(vtkIdList* ids, std::vector<StrokeRecord>& records) const
+  void Write(const LinePoints& points, std::vector<StrokeRecord>& records) const
   {
-    records.resize(ids->GetNumberOfIds());
+    records.clear();
     double measured = 0.0;
     Position last;
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    for (vtkIdType i = 0; i < points.Size; ++i)
     {
-      const vtkIdType id = ids->GetId(i);
-      const Position x = this->GetPoint(id);
-      StrokeRecord& record = records[i];
-      record = this->Reader.Read(id, x);
-      if (i > 0)
-      {
-        const double step = std::sqrt(vtkMath::Distance2BetweenPoints(x.data(), last.data()));
-        measured += std::isfinite(step) ? step : 0.0;
-      }
-      last = x;
+      const Position x = this->Reader.GetPlace(points.Ids[i]);
+      records.push_back(this->Reader.Read(points.Ids[i], x));
       if (!this->Reader.HasArcLengths())
       {
-        record.ArcLength = static_cast<float>(measured);
+        const double step =
+          i > 0 ? std::sqrt(vtkMath::Distance2BetweenPoints(x.data(), last.data())) : 0.0;
+        measured += std::isfinite(step) ? step : 0.0;
+        records.back().ArcLength = static_cast<float>(measured);
+        last = x;
       }
     }
   }
 
-  void WriteColors(vtkIdType line, Scratch& scratch) const
+  void WriteColors(vtkIdType line, const LinePoints& points, Scratch& scratch) const
   {
     if (this->Reader.HasColors())
     {
-      const vtkIdType size = scratch.Ids->GetNumberOfIds();
-      scratch.Colors.resize(4 * size);
-      for (vtkIdType i = 0; i < size; ++i)
+      scratch.Colors.resize(4 * points.Size);
+      for (vtkIdType i = 0; i < points.Size; ++i)
       {
-        this->Reader.ReadColor(line, scratch.Ids->GetId(i), &scratch.Colors[4 * i]);
+        this->Reader.ReadColor(line, points.Ids[i], &scratch.Colors[4 * i]);
       }
     }
   }
 
-  vtkPolyData* Strokes;
-  vtkPoints* Points;
   const StrokeReader& Reader;
   const StrokeTolerance& Tolerance;
 };
 
-/// Takes the room out that lines were given for records that were not needed.
-void MoveTogether(StrokeRecords& strokes, const std::vector<std::ptrdiff_t>& room,
-  const std::vector<std::ptrdiff_t>& counts)
+/// Runs of lines of about as many points, which are written at the same time: where each begins,
+/// and the end.
+std::vector<vtkIdType> MakeRuns(vtkCellArray* lines)
 {
-  const bool colored = !strokes.Colors.empty();
-  strokes.Begins.assign(room.size(), 0);
-  for (std::size_t i = 0; i < counts.size(); ++i)
+  constexpr vtkIdType pointsOfRun = 4096;
+  std::vector<vtkIdType> runs{ 0 };
+  vtkIdType points = 0;
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
   {
-    const std::ptrdiff_t to = strokes.Begins[i];
-    std::copy_n(strokes.Records.begin() + room[i], counts[i], strokes.Records.begin() + to);
-    if (colored)
+    points += lines->GetCellSize(line);
+    if (points >= pointsOfRun)
     {
-      std::copy_n(
-        strokes.Colors.begin() + 4 * room[i], 4 * counts[i], strokes.Colors.begin() + 4 * to);
+      runs.push_back(line + 1);
+      points = 0;
     }
-    strokes.Begins[i + 1] = to + counts[i];
   }
-  strokes.Records.resize(strokes.Begins.back());
-  strokes.Records.shrink_to_fit();
-  strokes.Colors.resize(colored ? 4 * strokes.Begins.back() : 0);
+  if (runs.back() != lines->GetNumberOfCells())
+  {
+    runs.push_back(lines->GetNumberOfCells());
+  }
+  return runs;
 }
 }
 
@@ -189,8 +188,7 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colo
   const StrokeTolerance& tolerance)
 {
   vtkCellArray* lines = strokes->GetLines();
-  const vtkIdType numberOfLines = lines ? lines->GetNumberOfCells() : 0;
-  if (numberOfLines == 0)
+  if (!lines || lines->GetNumberOfCells() == 0)
   {
     return {};
   }
@@ -200,28 +198,45 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colo
     return {};
   }
   StrokeRecords result = reader.GetFrame();
-
-  // Room for all points of each line, and for the neighbours of a seam.
-  std::vector<std::ptrdiff_t> room(numberOfLines + 1, 0);
-  for (vtkIdType i = 0; i < numberOfLines; ++i)
-  {
-    room[i + 1] = room[i] + lines->GetCellSize(i) + 2;
-  }
-  result.Records.resize(room.back());
-  result.Colors.resize(colors ? 4 * room.back() : 0);
-  std::vector<std::ptrdiff_t> counts(numberOfLines, 0);
-  const RecordWriter writer(strokes, reader, tolerance);
-  vtkSMPTools::For(0, numberOfLines,
+  const StrokeTolerance relative = tolerance.Relative(result.Origin);
+  const RecordWriter writer(reader, relative);
+  const std::vector<vtkIdType> runs = MakeRuns(lines);
+  const auto numberOfRuns = static_cast<vtkIdType>(runs.size()) - 1;
+  std::vector<LineRecords> written(numberOfRuns);
+  result.Begins.assign(lines->GetNumberOfCells() + 1, 0); // within their runs, at first
+  vtkSMPTools::For(0, numberOfRuns, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       RecordWriter::Scratch scratch;
-      for (vtkIdType i = begin; i < end; ++i)
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType run = begin; run < end; ++run)
       {
-        counts[i] = writer.WriteLine(i, scratch, result.Records.data() + room[i],
-          colors ? result.Colors.data() + 4 * room[i] : nullptr);
+        for (vtkIdType line = runs[run]; line < runs[run + 1]; ++line)
+        {
+          lines->GetCellAtId(line, ids);
+          const LinePoints points = { ids->GetNumberOfIds(), ids->GetPointer(0) };
+          result.Begins[line] = static_cast<std::ptrdiff_t>(written[run].Records.size());
+          writer.WriteLine(line, points, scratch, written[run]);
+        }
       }
     });
-  MoveTogether(result, room, counts);
+  std::size_t size = 0;
+  for (vtkIdType run = 0; run < numberOfRuns; ++run)
+  {
+    for (vtkIdType line = runs[run]; line < runs[run + 1]; ++line)
+    {
+      result.Begins[line] += static_cast<std::ptrdiff_t>(size);
+    }
+    size += written[run].Records.size();
+  }
+  result.Begins.back() = static_cast<std::ptrdiff_t>(size);
+  result.Records.reserve(size);
+  result.Colors.reserve(colors ? 4 * size : 0);
+  for (const LineRecords& run : written)
+  {
+    result.Records.insert(result.Records.end(), run.Records.begin(), run.Records.end());
+    result.Colors.insert(result.Colors.end(), run.Colors.begin(), run.Colors.end());
+  }
   if (reader.HasWidths())
   {
     result.MaximumWidth = 0;
@@ -251,43 +266,6 @@ std::vector<unsigned char> NumberCells(const StrokeRecords& records, std::ptrdif
     }
   }
   return cells;
-}
-
-//------------------------------------------------------------------------------
-std::array<int, 4> FindInkBounds(
-  const StrokeRecords& records, vtkMatrix4x4* toDevice, const float viewportSize[2], double reach)
-{
-  double low[2] = { viewportSize[0], viewportSize[1] };
-  double high[2] = { 0.0, 0.0 };
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    double clip[4];
-    for (int c = 0; c < 4; ++c)
-    {
-      clip[c] = toDevice->GetElement(3, c);
-      for (int i = 0; i < 3; ++i)
-      {
-        const double place = ((corner >> i) & 1) != 0 ? records.HalfSize[i] : -records.HalfSize[i];
-        clip[c] += place * toDevice->GetElement(i, c);
-      }
-    }
-    for (int c = 0; c < 2; ++c)
-    {
-      const double pixel = viewportSize[c] * (0.5 * clip[c] / clip[3] + 0.5);
-      // What reaches behind the eye may be anywhere.
-      low[c] = clip[3] > 0.0 ? std::min(low[c], pixel - reach) : 0.0;
-      high[c] = clip[3] > 0.0 ? std::max(high[c], pixel + reach) : viewportSize[c];
-    }
-  }
-  std::array<int, 4> bounds;
-  for (int c = 0; c < 2; ++c)
-  {
-    const double first = std::floor(std::max(low[c], 0.0));
-    const double end = std::ceil(std::min(high[c], static_cast<double>(viewportSize[c])));
-    bounds[c] = static_cast<int>(first);
-    bounds[2 + c] = static_cast<int>(std::max(end - first, 0.0));
-  }
-  return bounds;
 }
 
 //------------------------------------------------------------------------------

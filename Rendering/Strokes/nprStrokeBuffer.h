@@ -72,15 +72,6 @@ StrokeRecords MakeStrokeRecords(vtkPolyData* strokes, vtkUnsignedCharArray* colo
 std::vector<unsigned char> NumberCells(const StrokeRecords& records, std::ptrdiff_t otherCells);
 
 /**
- * The pixels of a viewport that strokes may be drawn to, so far around their axes: x, y, width and
- * height.
- *
- * @param toDevice from the records to clip coordinates, transposed as VTK hands it to shaders
- */
-std::array<int, 4> FindInkBounds(
-  const StrokeRecords& records, vtkMatrix4x4* toDevice, const float viewportSize[2], double reach);
-
-/**
  * How far along its stroke each record is in the picture, in pixels.
  *
  * @param toDevice from the records to clip coordinates, transposed as VTK hands it to shaders

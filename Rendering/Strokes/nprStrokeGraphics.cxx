@@ -46,6 +46,11 @@ std::vector<unsigned short> MakeIndices()
   }
   return indices;
 }
+
+vtkMTimeType GetDataTime(vtkPolyData* input, vtkUnsignedCharArray* colors)
+{
+  return std::max(input->GetMTime(), colors ? colors->GetMTime() : vtkMTimeType(0));
+}
 }
 
 StrokeGraphics::StrokeGraphics() = default;
@@ -101,17 +106,21 @@ void StrokeGraphics::Release()
 bool StrokeGraphics::IsUpToDate(vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells,
   const StrokeTolerance& needed, const CurveSettings& curves)
 {
-  const vtkMTimeType changed =
-    std::max(input->GetMTime(), colors ? colors->GetMTime() : vtkMTimeType(0));
-  if (this->UploadTime < changed || this->UploadedInput != input ||
+  if (this->UploadTime < GetDataTime(input, colors) || this->UploadedInput != input ||
     this->UploadedColors != colors || this->ColorsOfCells != ofCells || !(this->Curves == curves) ||
-    !needed.Allows(this->Tolerance))
+    !needed.Allows(this->Tolerance) || !this->IsSeenAsBefore(needed))
   {
     return false;
   }
   const bool tooFine = this->Tolerance.Allows(needed.Scaled(MostDetail));
   this->FramesTooFine = tooFine ? this->FramesTooFine + 1 : 0;
   return this->FramesTooFine < MostFramesTooFine;
+}
+
+//------------------------------------------------------------------------------
+bool StrokeGraphics::IsSeenAsBefore(const StrokeTolerance& needed) const
+{
+  return this->Tolerance.Sight.IsAnywhere() || this->Tolerance.Sight == needed.Sight;
 }
 
 //------------------------------------------------------------------------------
@@ -122,7 +131,14 @@ bool StrokeGraphics::Upload(vtkPolyData* input, vtkUnsignedCharArray* colors, bo
   {
     return true;
   }
+  // What has changed may do so with each view, as contours; what is seen in a second one needs to
+  // be good for all. Curves are, as they are evaluated before they are seen.
+  const bool changed = this->UploadTime < GetDataTime(input, colors);
   this->Tolerance = needed.Scaled(Reserve);
+  if (!changed || curves.Kind != SplineKind::Polyline)
+  {
+    this->Tolerance = this->Tolerance.FromAnywhere();
+  }
   this->FramesTooFine = 0;
   this->UploadedInput = input;
   this->UploadedColors = colors;
@@ -139,6 +155,7 @@ bool StrokeGraphics::Upload(vtkPolyData* input, vtkUnsignedCharArray* colors, bo
       this->NumberOfSegments = std::max<std::ptrdiff_t>(made.Points.size(), 1) - 1;
       const bool evaluated = this->NumberOfSegments == 0 ||
         EvaluateCurves(made, this->Window, this->Buffer, this->Colors);
+      this->Evaluated = true;
       this->Records = std::move(made.Strokes);
       this->MakeTextures(VTK_FLOAT);
       if (!evaluated)
@@ -148,6 +165,7 @@ bool StrokeGraphics::Upload(vtkPolyData* input, vtkUnsignedCharArray* colors, bo
       return evaluated;
     }
   }
+  this->Evaluated = false;
   this->Records = curves.Kind == SplineKind::Polyline
     ? MakeStrokeRecords(input, colors, ofCells, this->Tolerance)
     : SampleStrokeCurves(input, colors, ofCells, this->Tolerance, chosen);

@@ -68,6 +68,8 @@ public:
 
   std::ptrdiff_t GetNumberOfSegments() const { return this->NumberOfSegments; }
   const StrokeRecords& GetRecords() const { return this->Records; }
+  /// Whether the records are but the control points of curves, which were evaluated on the GPU.
+  bool AreCurvesEvaluated() const { return this->Evaluated; }
 
   StrokeLayer Layer;
   StrokePicking Picking;
@@ -76,6 +78,8 @@ public:
 private:
   bool IsUpToDate(vtkPolyData* input, vtkUnsignedCharArray* colors, bool ofCells,
     const StrokeTolerance& needed, const CurveSettings& curves);
+  /// Whether what is left out may be, from where strokes are seen now.
+  bool IsSeenAsBefore(const StrokeTolerance& needed) const;
   void MakeTextures(int typeOfColors);
 
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -94,6 +98,7 @@ private:
 
   StrokeRecords Records;
   std::ptrdiff_t NumberOfSegments = 0;
+  bool Evaluated = false;
   vtkTimeStamp UploadTime;
   vtkWeakPointer<vtkPolyData> UploadedInput;
   vtkWeakPointer<vtkUnsignedCharArray> UploadedColors;

@@ -7,6 +7,7 @@
 #include <vtkBoundingBox.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -29,15 +30,21 @@ vtkDataArray* GetPointScalars(vtkPolyData* strokes, const char* name)
   return fits ? array : nullptr;
 }
 
-float GetFactor(vtkDataArray* array, vtkIdType id)
+float GetFactor(const StrokeNumbers& numbers, vtkIdType id)
 {
-  const double value = array ? array->GetComponent(id, 0) : 1.0;
+  const double value = numbers.Exist() ? numbers.Get(id, 0) : 1.0;
   return std::isfinite(value) ? static_cast<float>(std::max(value, 0.0)) : 0.0f;
 }
 
 /// The bounds of the points that are finite.
 vtkBoundingBox FindBounds(vtkPoints* points)
 {
+  // Those of all, which are known already, unless some reach to infinity.
+  const double* const all = points->GetBounds();
+  if (std::all_of(all, all + 6, [](double x) { return std::isfinite(x); }))
+  {
+    return vtkBoundingBox(all);
+  }
   vtkBoundingBox box;
   Position point;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
@@ -59,8 +66,25 @@ bool IsFinite(const Position& x)
 }
 
 //------------------------------------------------------------------------------
+StrokeNumbers::StrokeNumbers(vtkDataArray* array) : Array(array)
+{
+  if (vtkFloatArray* const floats = vtkFloatArray::FastDownCast(array))
+  {
+    this->Values = floats->GetPointer(0);
+    this->Components = floats->GetNumberOfComponents();
+  }
+}
+
+double StrokeNumbers::Get(vtkIdType tuple, int component) const
+{
+  return this->Values ? this->Values[tuple * this->Components + component]
+                      : this->Array->GetComponent(tuple, component);
+}
+
+//------------------------------------------------------------------------------
 StrokeReader::StrokeReader(vtkPolyData* strokes, vtkUnsignedCharArray* colors, bool ofCells)
-  : Strokes(strokes), Widths(GetPointScalars(strokes, names::Width)),
+  : Strokes(strokes), Places(strokes->GetPoints() ? strokes->GetPoints()->GetData() : nullptr),
+    Widths(GetPointScalars(strokes, names::Width)),
     Strengths(GetPointScalars(strokes, names::Strength)),
     Opacities(GetPointScalars(strokes, names::Opacity)),
     ArcLengths(GetPointScalars(strokes, names::ArcLength)),
@@ -89,6 +113,12 @@ StrokeReader::StrokeReader(vtkPolyData* strokes, vtkUnsignedCharArray* colors, b
 }
 
 //------------------------------------------------------------------------------
+Position StrokeReader::GetPlace(vtkIdType id) const
+{
+  return { this->Places.Get(id, 0), this->Places.Get(id, 1), this->Places.Get(id, 2) };
+}
+
+//------------------------------------------------------------------------------
 StrokeRecord StrokeReader::Read(vtkIdType id, const Position& place) const
 {
   StrokeRecord record;
@@ -100,7 +130,7 @@ StrokeRecord StrokeReader::Read(vtkIdType id, const Position& place) const
   record.Width = GetFactor(this->Widths, id);
   record.Strength = GetFactor(this->Strengths, id);
   record.Opacity = std::min(GetFactor(this->Opacities, id), 1.0f);
-  record.ArcLength = this->ArcLengths ? GetFactor(this->ArcLengths, id) : 0.0f;
+  record.ArcLength = this->ArcLengths.Exist() ? GetFactor(this->ArcLengths, id) : 0.0f;
   record.Kind = finite ? 1.0f : 0.0f;
   return record;
 }

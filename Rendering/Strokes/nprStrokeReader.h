@@ -18,6 +18,21 @@ namespace npr
 {
 bool IsFinite(const std::array<double, 3>& x);
 
+/// Numbers of an array, read without a call for each where they stand one after another as floats.
+class StrokeNumbers
+{
+public:
+  explicit StrokeNumbers(vtkDataArray* array);
+
+  bool Exist() const { return this->Array != nullptr; }
+  double Get(vtkIdType tuple, int component) const;
+
+private:
+  vtkDataArray* Array;
+  const float* Values = nullptr;
+  int Components = 1;
+};
+
 /**
  * @class StrokeReader
  * @brief What the points of strokes are and what arrays say of them, as the records of strokes have
@@ -34,10 +49,11 @@ public:
   /// Without records, but with the origin and size of what is read.
   const StrokeRecords& GetFrame() const { return this->Frame; }
 
-  bool HasWidths() const { return this->Widths != nullptr; }
-  bool HasArcLengths() const { return this->ArcLengths != nullptr; }
+  bool HasWidths() const { return this->Widths.Exist(); }
+  bool HasArcLengths() const { return this->ArcLengths.Exist(); }
   bool HasColors() const { return this->Colors != nullptr; }
 
+  std::array<double, 3> GetPlace(vtkIdType id) const;
   /// What a point at a place is. Its kind is 1, or 0 if it is not finite.
   StrokeRecord Read(vtkIdType id, const std::array<double, 3>& place) const;
   /// The colour of a point of a line, four numbers; there must be colours.
@@ -47,10 +63,11 @@ public:
 
 private:
   vtkPolyData* Strokes;
-  vtkDataArray* Widths;
-  vtkDataArray* Strengths;
-  vtkDataArray* Opacities;
-  vtkDataArray* ArcLengths;
+  StrokeNumbers Places;
+  StrokeNumbers Widths;
+  StrokeNumbers Strengths;
+  StrokeNumbers Opacities;
+  StrokeNumbers ArcLengths;
   vtkDataArray* Layers;
   vtkUnsignedCharArray* Colors;
   bool ColorsOfCells;

@@ -7,6 +7,7 @@
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
+#include <vtkNew.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -26,20 +27,38 @@ constexpr std::size_t MostLeftOut = 32;
 constexpr float WidthSlope = 0.4f;
 constexpr float OpacitySlope = 1.5f;
 
-/// Whether a record is on the segment between two others.
+/// Whether records are on the segments from one of them to others.
 class SegmentTest
 {
 public:
   SegmentTest(const StrokeRecord* records, const unsigned char* colors,
-    const StrokeTolerance& tolerance, std::size_t start, std::size_t end)
-    : Records(records), Colors(colors), Tolerance(tolerance), Start(start), End(end)
+    const StrokeTolerance& tolerance, std::size_t start)
+    : Records(records), Colors(colors), Tolerance(tolerance), Start(start), End(start),
+      IsSeen(!tolerance.Sight.IsAnywhere())
   {
-    const StrokeRecord& a = records[start];
-    const StrokeRecord& b = records[end];
+    if (this->IsSeen)
+    {
+      const std::array<double, 4>& eye = tolerance.Sight.Eye;
+      for (int c = 0; c < 3; ++c)
+      {
+        this->Sight[c] = static_cast<float>(eye[3] * records[start].Position[c] - eye[c]);
+      }
+      const float size = std::sqrt(Dot(this->Sight, this->Sight));
+      for (float& component : this->Sight)
+      {
+        component /= size;
+      }
+    }
+  }
+
+  void SetEnd(std::size_t end)
+  {
+    this->End = end;
     for (int c = 0; c < 3; ++c)
     {
-      this->Way[c] = b.Position[c] - a.Position[c];
+      this->Way[c] = this->Records[end].Position[c] - this->Records[this->Start].Position[c];
     }
+    this->Depth = this->TakeDepth(this->Way);
     this->Size2 = Dot(this->Way, this->Way);
   }
 
@@ -59,6 +78,7 @@ public:
     {
       away[c] = x.Position[c] - a.Position[c];
     }
+    const float depth = this->TakeDepth(away);
     const float along = Dot(away, this->Way);
     const float t = this->Size2 > 0.0f ? std::min(std::max(along / this->Size2, 0.0f), 1.0f) : 0.0f;
     for (int c = 0; c < 3; ++c)
@@ -69,10 +89,11 @@ public:
     { return std::abs(first + t * (last - first) - value) <= limit; };
     const StrokeTolerance& limit = this->Tolerance;
     return Dot(away, away) <= limit.Length * limit.Length &&
+      agrees(0.0f, this->Depth, depth, limit.Sight.Depth * limit.Length) &&
       agrees(a.Width, b.Width, x.Width, limit.Width) &&
       agrees(a.Strength, b.Strength, x.Strength, limit.Strength) &&
       agrees(a.Opacity, b.Opacity, x.Opacity, limit.Opacity) &&
-      agrees(a.ArcLength, b.ArcLength, x.ArcLength, 4.0f * limit.Length) &&
+      agrees(a.ArcLength, b.ArcLength, x.ArcLength, limit.ArcLength) &&
       this->HasColor(index, agrees);
   }
 
@@ -80,6 +101,17 @@ private:
   static float Dot(const float a[3], const float b[3])
   {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  /// Takes the share along the sight line off, if there is one. @returns it
+  float TakeDepth(float way[3]) const
+  {
+    const float depth = this->IsSeen ? Dot(way, this->Sight) : 0.0f;
+    for (int c = 0; c < 3 && this->IsSeen; ++c)
+    {
+      way[c] -= depth * this->Sight[c];
+    }
+    return depth;
   }
 
   template<typename Agrees>
@@ -101,14 +133,16 @@ private:
   const StrokeTolerance& Tolerance;
   std::size_t Start;
   std::size_t End;
-  float Way[3];
-  float Size2;
+  bool IsSeen;
+  float Sight[3] = { 0.0f, 0.0f, 0.0f }; // from the eye to the first record, of unit length
+  float Way[3] = { 0.0f, 0.0f, 0.0f };   // across it
+  float Depth = 0.0f;                    // along it
+  float Size2 = 0.0f;
 };
 
-bool CanLeaveOut(const StrokeRecord* records, const unsigned char* colors,
-  const StrokeTolerance& tolerance, std::size_t start, std::size_t end)
+bool CanLeaveOut(SegmentTest& segment, std::size_t start, std::size_t end)
 {
-  const SegmentTest segment(records, colors, tolerance, start, end);
+  segment.SetEnd(end);
   if (segment.IsTooLong())
   {
     return false;
@@ -128,14 +162,31 @@ bool CanLeaveOut(const StrokeRecord* records, const unsigned char* colors,
 StrokeTolerance StrokeTolerance::Scaled(float factor) const
 {
   return { factor * this->Length, factor * this->Width, factor * this->Strength,
-    factor * this->Opacity, factor * this->Color };
+    factor * this->Opacity, factor * this->ArcLength, factor * this->Color, this->Sight };
+}
+
+StrokeTolerance StrokeTolerance::FromAnywhere() const
+{
+  StrokeTolerance tolerance = *this;
+  tolerance.Sight = StrokeSight();
+  return tolerance;
+}
+
+StrokeTolerance StrokeTolerance::Relative(const std::array<double, 3>& origin) const
+{
+  StrokeTolerance tolerance = *this;
+  for (int c = 0; c < 3; ++c)
+  {
+    tolerance.Sight.Eye[c] -= tolerance.Sight.Eye[3] * origin[c];
+  }
+  return tolerance;
 }
 
 bool StrokeTolerance::Allows(const StrokeTolerance& other) const
 {
   return other.Length <= this->Length && other.Width <= this->Width &&
     other.Strength <= this->Strength && other.Opacity <= this->Opacity &&
-    other.Color <= this->Color;
+    other.ArcLength <= this->ArcLength && other.Color <= this->Color;
 }
 
 //------------------------------------------------------------------------------
@@ -150,9 +201,9 @@ void SimplifyStroke(const std::vector<StrokeRecord>& records, const unsigned cha
     std::size_t end = start + 1;
     if (tolerance.Length > 0.0f && records[start].Kind != 0.0f)
     {
+      SegmentTest segment(records.data(), colors, tolerance, start);
       while (end + 1 < size && end - start < MostLeftOut && records[end].Kind != 0.0f &&
-        records[end + 1].Kind != 0.0f &&
-        CanLeaveOut(records.data(), colors, tolerance, start, end + 1))
+        records[end + 1].Kind != 0.0f && CanLeaveOut(segment, start, end + 1))
       {
         ++end;
       }
@@ -175,6 +226,31 @@ bool IsSteep(const StrokeRecord& a, const StrokeRecord& b, const StrokeTolerance
   return !(tolerance.Length > 0.0f) || isSteep(a.Width, b.Width, tolerance.Width, WidthSlope) ||
     isSteep(a.Strength, b.Strength, tolerance.Strength, WidthSlope) ||
     isSteep(a.Opacity, b.Opacity, tolerance.Opacity, OpacitySlope);
+}
+
+//------------------------------------------------------------------------------
+StrokeSight FindSight(vtkCamera* camera, vtkMatrix4x4* matrix)
+{
+  StrokeSight sight;
+  if (matrix->Determinant() == 0.0)
+  {
+    return sight;
+  }
+  double eye[4] = { 0.0, 0.0, 0.0, 0.0 };
+  if (camera->GetParallelProjection())
+  {
+    camera->GetDirectionOfProjection(eye);
+    vtkMath::MultiplyScalar(eye, -1.0);
+  }
+  else
+  {
+    camera->GetPosition(eye);
+    eye[3] = 1.0;
+  }
+  vtkNew<vtkMatrix4x4> toModel;
+  vtkMatrix4x4::Invert(matrix, toModel);
+  toModel->MultiplyPoint(eye, sight.Eye.data());
+  return sight;
 }
 
 //------------------------------------------------------------------------------

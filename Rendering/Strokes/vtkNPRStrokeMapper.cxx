@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRStrokeMapper.h"
 
+#include "nprInkArea.h"
 #include "nprPostponedStrokes.h"
 #include "nprStrokeGraphics.h"
 #include "vtkNPRStrokeCompositeFS.h"
@@ -35,7 +36,6 @@
 #include <vtkTimerLog.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 namespace
@@ -162,6 +162,16 @@ npr::StrokeTolerance vtkNPRStrokeMapper::GetTolerance(vtkRenderer* renderer, vtk
   const double width = this->WidthUnit == WORLD && pixel > 0.0 ? this->Width / pixel : this->Width;
   npr::StrokeTolerance tolerance;
   tolerance.Length = static_cast<float>(pixels * pixel);
+  if (this->DashUnit == WORLD && this->IsStyled())
+  {
+    tolerance.ArcLength = 4.0f * tolerance.Length;
+  }
+  tolerance.Sight = npr::FindSight(renderer->GetActiveCamera(), actor->GetMatrix());
+  if (this->DepthTest)
+  {
+    // They must still be known as lying on their surface.
+    tolerance.Sight.Depth = static_cast<float>(0.25 * this->DepthTolerance / pixels);
+  }
   const float factor = static_cast<float>(2.0 * pixels / width);
   constexpr float tone = 1.0f / 256.0f;
   if (this->UseWidthArray)
@@ -199,16 +209,10 @@ void vtkNPRStrokeMapper::DrawStrokes(vtkRenderer* renderer, vtkActor* actor, boo
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
-  const std::array<int, 4> drawn = this->DrawInk(renderer, actor, program);
-  if (drawn[2] > 0 && drawn[3] > 0)
+  const npr::InkArea area = this->DrawInk(renderer, actor, program);
+  if (!area.IsEmpty())
   {
-    int viewport[4];
-    state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-    vtkOpenGLState::ScopedglScissor savedScissor(state);
-    vtkOpenGLState::ScopedglEnableDisable savedScissorTest(state, GL_SCISSOR_TEST);
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglScissor(viewport[0] + drawn[0], viewport[1] + drawn[1], drawn[2], drawn[3]);
-    this->LayInkOver(actor, orderIndependent);
+    this->LayInkOver(actor, area, orderIndependent);
   }
   vtkOpenGLCheckErrorMacro("failed after drawing strokes");
 }
@@ -254,18 +258,19 @@ vtkShaderProgram* vtkNPRStrokeMapper::ReadyProgram(const std::string& purpose)
   return program;
 }
 
-std::array<int, 4> vtkNPRStrokeMapper::DrawInk(
+npr::InkArea vtkNPRStrokeMapper::DrawInk(
   vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program)
 {
   npr::StrokeGraphics& graphics = *this->Graphics;
   vtkOpenGLState* state = graphics.GetWindow()->GetState();
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const std::array<int, 4> bounds = this->SetUniforms(renderer, actor, program, viewport);
-  if (bounds[2] == 0 || bounds[3] == 0)
+  npr::InkArea area = this->SetUniforms(renderer, actor, program, viewport);
+  if (area.IsEmpty())
   {
-    return bounds;
+    return area;
   }
+  const npr::PixelRectangle& bounds = area.Bounds;
   state->PushFramebufferBindings();
   {
     vtkOpenGLState::ScopedglViewport savedViewport(state);
@@ -305,10 +310,11 @@ std::array<int, 4> vtkNPRStrokeMapper::DrawInk(
     state->vtkglBlendEquationSeparate(equations[0], equations[1]);
   }
   state->PopFramebufferBindings();
-  return bounds;
+  return area;
 }
 
-void vtkNPRStrokeMapper::LayInkOver(vtkActor* actor, bool orderIndependent)
+void vtkNPRStrokeMapper::LayInkOver(
+  vtkActor* actor, const npr::InkArea& area, bool orderIndependent)
 {
   npr::StrokeGraphics& graphics = *this->Graphics;
   vtkOpenGLRenderWindow* window = graphics.GetWindow();
@@ -342,7 +348,17 @@ void vtkNPRStrokeMapper::LayInkOver(vtkActor* actor, bool orderIndependent)
   composite->SetUniform3f("nprColor", actor->GetProperty()->GetColor());
   composite->SetUniformf("nprOpacity", static_cast<float>(actor->GetProperty()->GetOpacity()));
   composite->SetUniformi("nprOrderIndependent", orderIndependent);
-  graphics.Composite->Render();
+  int viewport[4];
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  vtkOpenGLState::ScopedglScissor savedScissor(state);
+  vtkOpenGLState::ScopedglEnableDisable savedScissorTest(state, GL_SCISSOR_TEST);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  for (const npr::PixelRectangle& rectangle : area.Rectangles)
+  {
+    state->vtkglScissor(
+      viewport[0] + rectangle[0], viewport[1] + rectangle[1], rectangle[2], rectangle[3]);
+    graphics.Composite->Render();
+  }
   graphics.Layer.GetInk()->Deactivate();
 }
 

@@ -66,7 +66,6 @@
 #include <vtkTimeStamp.h>
 
 #include "nprVTKCompat.h" // for VTK_ABI_NAMESPACE_BEGIN
-#include <array>
 #include <memory>
 #include <string>
 
@@ -79,6 +78,7 @@ namespace npr
 {
 class StrokeGraphics;
 struct CurveSettings;
+struct InkArea;
 struct StrokeTolerance;
 struct PostponedStrokes;
 }
@@ -375,13 +375,13 @@ private:
   double GetMaximumError() const;
   vtkShaderProgram* ReadyProgram(const std::string& purpose);
   void DrawStrokes(vtkRenderer* renderer, vtkActor* actor, bool orderIndependent);
-  // Return what was drawn to: x, y, width and height, within the viewport.
-  std::array<int, 4> DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
-  std::array<int, 4> SetUniforms(
+  // Return what is drawn to.
+  npr::InkArea DrawInk(vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program);
+  npr::InkArea SetUniforms(
     vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
   void SetStyleUniforms(vtkActor* actor, vtkShaderProgram* program, const int viewport[4]);
   void SetClippingUniforms(vtkActor* actor, vtkShaderProgram* program);
-  void LayInkOver(vtkActor* actor, bool orderIndependent);
+  void LayInkOver(vtkActor* actor, const npr::InkArea& area, bool orderIndependent);
   void Postpone(vtkRenderer* renderer, vtkActor* actor);
   void DrawPostponed();
   void DrawForSelection(vtkRenderer* renderer, vtkActor* actor);

@@ -4,6 +4,7 @@
 // the renderer's end, and those that a selector draws.
 #include "vtkNPRStrokeMapper.h"
 
+#include "nprInkArea.h"
 #include "nprPostponedStrokes.h"
 #include "nprStrokeGraphics.h"
 

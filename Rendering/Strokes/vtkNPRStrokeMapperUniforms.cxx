@@ -3,6 +3,7 @@
 // What the stroke mapper tells its shaders.
 #include "vtkNPRStrokeMapper.h"
 
+#include "nprInkArea.h"
 #include "nprStrokeGraphics.h"
 
 #include <vtkActor.h>
@@ -22,7 +23,7 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-std::array<int, 4> vtkNPRStrokeMapper::SetUniforms(
+npr::InkArea vtkNPRStrokeMapper::SetUniforms(
   vtkRenderer* renderer, vtkActor* actor, vtkShaderProgram* program, const int viewport[4])
 {
   const npr::StrokeRecords& records = this->Graphics->GetRecords();
@@ -84,7 +85,9 @@ std::array<int, 4> vtkNPRStrokeMapper::SetUniforms(
     this->Graphics->UploadPageLengths(matrix, size);
     this->SetStyleUniforms(actor, program, viewport);
   }
-  return npr::FindInkBounds(records, matrix, size, std::max(guard, this->VisibilityRadius + 2.0));
+  const double reach = std::max(guard, this->VisibilityRadius + 2.0);
+  return this->Graphics->AreCurvesEvaluated() ? npr::FindInkBounds(records, matrix, size, reach)
+                                              : npr::FindInkArea(records, matrix, size, reach);
 }
 
 //------------------------------------------------------------------------------

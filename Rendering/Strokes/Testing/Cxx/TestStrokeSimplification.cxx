@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Strokes look as if all of their points and all of their joints were drawn: random chains of long
 // and short segments against the discs along them, sampled by brute force; dense curves; widths,
-// opacities and colours that change at single points; and views that come closer.
+// opacities and colours that change at single points; views that come closer; and lines that go to
+// and fro along the sight, from there and from aside.
 #include "nprStrokeTesting.h"
 #include "vtkNPROffscreen.h"
 
@@ -265,6 +266,53 @@ void TestViews()
 }
 }
 
+/// That what was left out because it lies on sight lines is there when seen from aside.
+void TestSights()
+{
+  Line straight;
+  Line zigzag;
+  for (int i = 0; i <= 800; ++i)
+  {
+    const double x = 10 + 0.1 * i;
+    straight.push_back({ x, 50.2, 0 });
+    zigzag.push_back({ x, 50.2, i % 2 == 0 ? 20.0 : -20.0 });
+  }
+  for (const bool parallel : { true, false })
+  {
+    const std::string name = parallel ? " in parallel projection" : " with perspective";
+    Picture flat(100, 100);
+    Picture turned(100, 100);
+    Picture fresh(100, 100);
+    for (Picture* picture : { &flat, &turned, &fresh })
+    {
+      vtkActor* const strokes =
+        picture->AddStrokes(MakeLines({ picture == &flat ? straight : zigzag }), 3);
+      nprtest::GetMapper(strokes)->DepthTestOff(); // which would need it all
+      vtkCamera* const camera = picture->Renderer->GetActiveCamera();
+      camera->SetParallelProjection(parallel);
+      camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(0.05)));
+      // At the height of the line, where all of it is on sight lines.
+      camera->SetFocalPoint(50, 50.2, 0);
+      camera->SetPosition(50, 50.2, 1000);
+    }
+    flat.Render();
+    turned.Render();
+    Check(!parallel || Compare(flat, turned) < 0.05, "a zigzag seen along it" + name);
+    for (const int x : { 20, 50, 80 })
+    {
+      Check(flat.GetInk(x, 50) > 0.97 && std::abs(flat.GetInk(x, 52) - turned.GetInk(x, 52)) < 0.02,
+        "a zigzag seen along it" + name + " at " + std::to_string(x));
+    }
+    for (Picture* picture : { &turned, &fresh })
+    {
+      picture->Renderer->GetActiveCamera()->Elevation(60.0);
+      picture->Render();
+    }
+    Check(fresh.GetInk(50, 60) > 0.97, "a zigzag seen from aside" + name);
+    Check(Compare(turned, fresh) < 0.1, "the same zigzag seen first along it" + name);
+  }
+}
+
 int TestStrokeSimplification(int, char*[])
 {
   if (!vtkNPROffscreen::Setup())
@@ -275,5 +323,6 @@ int TestStrokeSimplification(int, char*[])
   TestValues();
   TestTips();
   TestViews();
+  TestSights();
   return nprtest::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
