@@ -5,6 +5,7 @@
 #include "nprActorIllustration.h"
 #include "nprArrayNames.h"
 #include "nprCutLines.h"
+#include "nprInteraction.h"
 #include "nprPageScale.h"
 #include "nprPaperStrokes.h"
 #include "nprRendererIllustration.h"
@@ -31,12 +32,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkNPRIllustration);
-
-namespace
-{
-/// Frames a second that a window asks for while something moves, at least.
-constexpr double InteractiveRate = 1.0;
-}
 
 //------------------------------------------------------------------------------
 class vtkNPRIllustration::Internals
@@ -191,7 +186,7 @@ private:
     }
     this->ShareLengthScale();
     const bool exact = this->Self->GetStrokeVisibility() == EXACT &&
-      this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() < InteractiveRate;
+      !npr::IsInteractive(this->Renderer->GetRenderWindow());
     for (const auto& actor : this->Actors)
     {
       for (npr::LineStrokes& strokes : actor->GetStrokes())

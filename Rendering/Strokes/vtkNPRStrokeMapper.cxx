@@ -3,6 +3,7 @@
 #include "vtkNPRStrokeMapper.h"
 
 #include "nprInkArea.h"
+#include "nprInteraction.h"
 #include "nprPostponedStrokes.h"
 #include "nprStrokeGraphics.h"
 #include "vtkNPRStrokeCompositeFS.h"
@@ -40,6 +41,10 @@
 
 namespace
 {
+// How much farther off axes and edges may be while something moves, which takes as much less time;
+// of strokes that are drawn as they were, nothing more is left out.
+constexpr double InteractiveError = 3.0;
+
 /// How VTK's translucent pass, if any, wants its colours.
 enum class Translucency
 {
@@ -156,7 +161,11 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 //------------------------------------------------------------------------------
 npr::StrokeTolerance vtkNPRStrokeMapper::GetTolerance(vtkRenderer* renderer, vtkActor* actor)
 {
-  const double pixels = this->GetMaximumError();
+  double pixels = this->GetMaximumError();
+  if (this->SplineType == NONE && npr::IsInteractive(renderer->GetRenderWindow()))
+  {
+    pixels *= InteractiveError;
+  }
   const double pixel =
     npr::FindSmallestPixel(renderer, actor->GetMatrix(), this->GetInput()->GetBounds());
   const double width = this->WidthUnit == WORLD && pixel > 0.0 ? this->Width / pixel : this->Width;

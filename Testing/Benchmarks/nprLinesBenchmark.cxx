@@ -77,6 +77,7 @@ void PrintScaling(int runs)
   {
     std::vector<double> triangles;
     std::array<std::vector<double>, 2> seconds; // with one thread, with two
+    std::vector<double> points;
     for (const int size : sizes)
     {
       const Surface surface = AddNormals(MakeTorus(size, bumps));
@@ -96,6 +97,7 @@ void PrintScaling(int runs)
           });
         seconds[threads - 1].push_back(threads == 1 ? cost.Processor : cost.Wall);
       }
+      points.push_back(static_cast<double>(filter->GetOutput()->GetNumberOfPoints()));
     }
     for (const int threads : { 1, 2 })
     {
@@ -107,8 +109,14 @@ void PrintScaling(int runs)
         std::printf(" %9.2f", 1e3 * time);
       }
       std::printf(" %9.2f\n", FitExponent(triangles, seconds[threads - 1]));
-      std::fflush(stdout);
     }
+    std::printf("%-34s", "  points of the lines, last view");
+    for (const double count : points)
+    {
+      std::printf(" %9.0f", count);
+    }
+    std::printf(" %9.2f\n", FitExponent(triangles, points));
+    std::fflush(stdout);
   }
 }
 
