@@ -3,6 +3,7 @@
 #ifndef nprFieldValues_h
 #define nprFieldValues_h
 
+#include "nprAlignedVector.h"
 #include "nprFieldAxes.h"
 #include "nprLineClusters.h"
 #include "nprLineSurface.h"
@@ -100,11 +101,11 @@ private:
   Flags Blocks;     // 1 required, 2 evaluated
   Flags TestBlocks; // whether any of their points has a flag
   Flags TestPoints;
-  std::vector<float> Field;
-  std::vector<Side> Sides;
+  AlignedVector<float> Field;
+  AlignedVector<Side> Sides;
   std::vector<Side> BlockSides;
-  std::vector<float> Test;
-  std::vector<AxisPoint> AxisPoints;
+  AlignedVector<float> Test;
+  AlignedVector<AxisPoint> AxisPoints;
 };
 }
 

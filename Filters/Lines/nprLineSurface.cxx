@@ -182,7 +182,7 @@ void LineSurface::SetCoordinates()
   const Index numberOfPoints = this->Mesh.GetNumberOfPoints();
   for (int axis = 0; axis < 3; ++axis)
   {
-    std::vector<float>& coordinates = this->Coordinates[axis];
+    AlignedVector<float>& coordinates = this->Coordinates[axis];
     coordinates.resize(numberOfPoints);
     for (Index i = 0; i < numberOfPoints; ++i)
     {

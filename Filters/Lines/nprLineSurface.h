@@ -3,6 +3,7 @@
 #ifndef nprLineSurface_h
 #define nprLineSurface_h
 
+#include "nprAlignedVector.h"
 #include "nprLineView.h"
 #include "nprTriangleMesh.h"
 #include "vtkNPRFiltersLinesModule.h"
@@ -89,7 +90,7 @@ public:
   /// has none.
   bool LoadArray(vtkPolyData* surface, const char* name, int components);
   /// Adds or replaces an array, made from others: a span over all points for each component.
-  void SetArray(const std::string& name, std::vector<std::vector<float>> components);
+  void SetArray(const std::string& name, std::vector<AlignedVector<float>> components);
   bool HasArray(const char* name) const { return this->FindArray(name) != nullptr; }
   /// Of an array that was loaded.
   int GetNumberOfComponents(const char* name) const
@@ -170,7 +171,7 @@ private:
   struct Array
   {
     std::string Name;
-    std::vector<std::vector<float>> Components;
+    std::vector<AlignedVector<float>> Components;
   };
   const Array* FindArray(const char* name) const;
   void SetOrder(const TriangleMesh& mesh);
@@ -190,7 +191,7 @@ private:
   EdgeList InnerEdges;
   std::vector<Index> NeighbourOffsets;
   std::vector<Index> Neighbours;
-  std::array<std::vector<float>, 3> Coordinates;
+  std::array<AlignedVector<float>, 3> Coordinates;
   std::vector<Array> Arrays;
   std::map<std::string, std::vector<Index>> Regions;
 

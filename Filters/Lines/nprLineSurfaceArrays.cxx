@@ -97,8 +97,8 @@ bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int componen
   }
   components = array->GetNumberOfComponents();
   this->Arrays.push_back({ name, {} });
-  std::vector<std::vector<float>>& spans = this->Arrays.back().Components;
-  spans.assign(components, std::vector<float>(numberOfPoints));
+  std::vector<AlignedVector<float>>& spans = this->Arrays.back().Components;
+  spans.assign(components, AlignedVector<float>(numberOfPoints));
   auto* const floats = vtkFloatArray::FastDownCast(array);
   vtkSMPTools::For(0, numberOfPoints,
     [&](vtkIdType begin, vtkIdType end)
@@ -125,7 +125,7 @@ bool LineSurface::LoadArray(vtkPolyData* surface, const char* name, int componen
 }
 
 //------------------------------------------------------------------------------
-void LineSurface::SetArray(const std::string& name, std::vector<std::vector<float>> components)
+void LineSurface::SetArray(const std::string& name, std::vector<AlignedVector<float>> components)
 {
   const auto found = std::find_if(this->Arrays.begin(), this->Arrays.end(),
     [&name](const Array& array) { return array.Name == name; });

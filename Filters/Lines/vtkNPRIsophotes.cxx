@@ -136,8 +136,9 @@ void vtkNPRIsophotes::PrepareSurface(npr::LineSurface& surface)
   }
   const npr::SmoothShape shape(surface, this->Smoothing, true);
   const auto perScale = static_cast<float>(1.0 / surface.GetLengthScale());
-  std::vector<std::vector<float>> normals(3, std::vector<float>(shape.Normals.size()));
-  std::vector<std::vector<float>> tensor(6, std::vector<float>(shape.Tensors.size()));
+  std::vector<npr::AlignedVector<float>> normals(
+    3, npr::AlignedVector<float>(shape.Normals.size()));
+  std::vector<npr::AlignedVector<float>> tensor(6, npr::AlignedVector<float>(shape.Tensors.size()));
   for (std::size_t i = 0; i < shape.Normals.size(); ++i)
   {
     for (int c = 0; c < 3; ++c)

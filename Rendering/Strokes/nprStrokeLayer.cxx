@@ -68,6 +68,11 @@ bool StrokeLayer::CaptureDepth(
   unsigned int source = 0;
   unsigned int buffer = 0;
   state->GetCurrentDrawFramebufferState(source, buffer);
+  this->IsCopied = !this->FindDepth(window, source, viewport);
+  if (!this->IsCopied)
+  {
+    return true;
+  }
   const StorageFormat format = GetDepthFormat(source);
   if (format.Internal == 0)
   {
@@ -107,6 +112,36 @@ bool StrokeLayer::CaptureDepth(
     viewport[0] + end[0], viewport[1] + end[1], bounds[0], bounds[1], end[0], end[1],
     GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   return true;
+}
+
+/// Ink is drawn into another framebuffer, so that the texture may be read meanwhile.
+bool StrokeLayer::FindDepth(
+  vtkOpenGLRenderWindow* window, unsigned int framebuffer, const int viewport[4])
+{
+  if (framebuffer == 0 || viewport[0] != 0 || viewport[1] != 0)
+  {
+    return false;
+  }
+  const auto query = [](GLenum name)
+  {
+    GLint value = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
+    return value;
+  };
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  if (samples > 0 || query(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE)
+  {
+    return false;
+  }
+  this->FoundDepth->SetContext(window);
+  this->FoundDepth->AssignToExistingTexture(
+    static_cast<unsigned int>(query(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)), GL_TEXTURE_2D);
+  this->FoundDepth->Bind();
+  GLint size[2] = { 0, 0 };
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &size[0]);
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &size[1]);
+  return size[0] == viewport[2] && size[1] == viewport[3];
 }
 
 void StrokeLayer::BindInk(vtkOpenGLRenderWindow* window, int width, int height, bool colored)
@@ -159,6 +194,7 @@ void StrokeLayer::BindInk(vtkOpenGLRenderWindow* window, int width, int height, 
 
 void StrokeLayer::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->FoundDepth->ReleaseGraphicsResources(window);
   this->DepthFramebuffer->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);
   this->InkFramebuffer->ReleaseGraphicsResources(window);

@@ -32,9 +32,9 @@ public:
   StrokeLayer();
   ~StrokeLayer();
 
-  /// Copies the depth of the bound draw framebuffer within bounds in the viewport (resolving
-  /// samples).
-  /// Changes the bindings of framebuffers. False if that framebuffer has no depth.
+  /// Takes the depth of the bound draw framebuffer: its texture, if that is as large as the
+  /// viewport, or a copy of what is within bounds in the viewport (resolving samples). Changes the
+  /// bindings of framebuffers. False if that framebuffer has no depth.
   bool CaptureDepth(
     vtkOpenGLRenderWindow* window, const int viewport[4], const std::array<int, 4>& bounds);
 
@@ -42,12 +42,16 @@ public:
   /// scissor lets it be.
   void BindInk(vtkOpenGLRenderWindow* window, int width, int height, bool colored);
 
-  vtkTextureObject* GetDepth() { return this->Depth; }
+  vtkTextureObject* GetDepth() { return this->IsCopied ? this->Depth : this->FoundDepth; }
   vtkTextureObject* GetInk() { return this->Ink; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  bool FindDepth(vtkOpenGLRenderWindow* window, unsigned int framebuffer, const int viewport[4]);
+
+  bool IsCopied = true;
+  vtkNew<vtkTextureObject> FoundDepth;
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
   unsigned int DepthFormat = 0;
