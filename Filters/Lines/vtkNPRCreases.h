@@ -16,6 +16,11 @@
  * make no crease; triangles that are higher, as those of scans mostly are, count as they are. Sides
  * that lie on each other, at an angle above 178 degrees, make no crease either.
  *
+ * @par Soft creases
+ * A wall may meet a round at a small angle. Where vtkNPRSurfacePreparation has split the surface
+ * along an edge, half of the angle suffices if the edge stands out from those beside it (see
+ * nprEdgeSides.h): edges of a coarse cylinder or fillet, which are all bent about alike, do not.
+ *
  * @sa vtkNPRFeatureLines vtkNPRBoundaries vtkNPRNonManifoldEdges
  */
 #ifndef vtkNPRCreases_h
@@ -34,8 +39,8 @@ public:
   bool IsViewDependent() const override { return false; }
 
   ///@{
-  /// The angle between the normals of its two sides above which an edge is a crease, in degrees.
-  /// Range [0, 180]. Default is 40.
+  /// The angle between the normals of its two sides above which an edge is a crease, in degrees;
+  /// half of it for soft creases. Range [0, 180]. Default is 40.
   vtkSetClampMacro(Angle, double, 0.0, 180.0);
   vtkGetMacro(Angle, double);
   ///@}
@@ -43,7 +48,8 @@ public:
   ///@{
   /// How far from an edge its sides are looked at, in length scales of the surface: what is
   /// narrower can not be seen. They are looked at five times as far, too, so that wrinkles in a
-  /// face make no crease. Range [0, 1]; 0 takes the triangles as they are. Default is 0.002.
+  /// face make no crease. Range [0, 1]; 0 takes the triangles as they are, and has no soft
+  /// creases. Default is 0.002.
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}

@@ -13,7 +13,9 @@
 namespace npr
 {
 /**
- * The edges whose triangles meet at more than an angle (needs the neighbours).
+ * The edges whose triangles meet at more than an angle (needs the neighbours); at more than half of
+ * it where they stand out from the edges beside them (see nprEdgeSides.h) and lead from one crease
+ * or border to another, or close.
  *
  * Noise must not shatter a scan. So the angle must also lie between the means over the nearest
  * triangles of either side, and of edges that hang together fewer than six (a border they end at

@@ -93,8 +93,9 @@ public:
   ///@}
 
   ///@{
-  /// An edge is a crease if its triangles' normals differ by more; degrees, 0 to 180, default 40.
-  /// Lone sharp edges are taken for noise: see npr::FindCreases.
+  /// An edge is a crease if its triangles' normals differ by more, or by more than half of it and
+  /// it stands out from the edges beside it; degrees, 0 to 180, default 40. Lone sharp edges are
+  /// taken for noise: see npr::FindCreases.
   vtkSetClampMacro(CreaseAngle, double, 0.0, 180.0);
   vtkGetMacro(CreaseAngle, double);
   ///@}
