@@ -13,9 +13,9 @@ namespace npr
 namespace
 {
 // The rule of vtkNPRStrokeVisibility, where these numbers are explained.
-constexpr double SeenEdgeOn = 0.25;      // cosine between the normal and the direction to the eye
-constexpr double StripSeenEdgeOn = 0.06; // the same beside a crease
-constexpr double ReachInSizes = 4.0;     // of the triangle
+constexpr double SeenEdgeOn = 0.25;     // cosine between the normal and the direction to the eye
+constexpr double StripSeenEdgeOn = 0.1; // the same beside a crease
+constexpr double ReachInSizes = 4.0;    // of the triangle
 constexpr double ReachInPixels = 2.0;
 constexpr double ReachInGaps = 5.0; // of the point from the surface
 constexpr double OnEdgeInTolerances = 0.1;
@@ -357,7 +357,8 @@ bool HidingLayers::FindNearest()
 void HidingLayers::FindSources()
 {
   this->AreSourcesKnown = true;
-  this->NearlyEdgeOn = false;
+  this->Inside = false;
+  this->DistanceMatters = false;
   this->ClearOwn();
   this->Reach = 0.0;
   if (!this->FindNearest())
@@ -368,15 +369,19 @@ void HidingLayers::FindSources()
   this->Reach = ReachInGaps * this->Gap;
   const Vector normal =
     this->Normal.squaredNorm() > 0.0 ? this->Normal : this->Surfaces.GetAreaNormal(this->Nearest);
-  this->NearlyEdgeOn = std::abs(normal.dot(this->ToEye)) <= SeenEdgeOn * normal.norm() &&
-    this->IsInside(this->Nearest);
-  if (this->NearlyEdgeOn)
+  this->Inside = this->IsInside(this->Nearest);
+  if (this->Inside)
   {
-    this->Reach = std::max({ this->Reach, ReachInSizes * this->GetSize(this->Nearest),
-      ReachInPixels * this->PixelSize });
+    this->Reach = std::max(this->Reach, ReachInPixels * this->PixelSize);
+    if (std::abs(normal.dot(this->ToEye)) <= SeenEdgeOn * normal.norm())
+    {
+      this->Reach = std::max(this->Reach, ReachInSizes * this->GetSize(this->Nearest));
+    }
   }
-  const auto add = [this](Index triangle) {
-    this->AddOwn({ triangle, this->Surfaces.GetAreaNormal(triangle).stableNormalized(), true });
+  const auto add = [this](Index triangle)
+  {
+    this->AddOwn(
+      { triangle, this->Surfaces.GetAreaNormal(triangle).stableNormalized(), true, false });
   };
   add(this->Nearest);
   for (std::size_t i = 0; i < this->Own.size(); ++i)
@@ -392,10 +397,10 @@ void HidingLayers::FindSources()
     }
   }
   // A contour along a crease, and the last strip of the surface before it that turns away.
-  const bool isBesideEdgeOn = this->Gap <= tolerance && !this->IsInside(this->Nearest) &&
+  const bool isBesideEdgeOn = this->Gap <= tolerance && !this->Inside &&
     std::any_of(this->Own.begin(), this->Own.end(),
-      [this](const Step& step)
-      { return std::abs(step.Normal.dot(this->ToEye)) <= StripSeenEdgeOn; });
+      [&](const Step& step) { return std::abs(step.Normal.dot(this->ToEye)) <= StripSeenEdgeOn; });
+  this->DistanceMatters = isBesideEdgeOn || this->Inside;
   if (isBesideEdgeOn)
   {
     this->Reach = std::max(this->Reach, ReachInPixels * this->PixelSize);
@@ -413,28 +418,49 @@ void HidingLayers::AddAround(std::size_t place)
     {
       continue;
     }
-    const Vector turned =
-      this->Surfaces.IsAlike(step.Triangle, e) ? step.Normal : Vector(-step.Normal);
+    const bool isAlike = this->Surfaces.IsAlike(step.Triangle, e);
+    const Vector turned = isAlike ? step.Normal : Vector(-step.Normal);
     const Vector normal = this->Surfaces.GetAreaNormal(next);
-    if (normal.dot(turned) >= LeastAgreement * normal.norm() && this->IsWithinReach(next))
+    const bool isSmooth = normal.dot(turned) >= LeastAgreement * normal.norm();
+    const double reach = step.IsBeyondOutline ? ReachInPixels * this->PixelSize : this->Reach;
+    if (isSmooth && this->IsWithinReach(next, reach))
     {
-      this->AddOwn({ next, turned, false });
+      this->AddOwn({ next, turned, false, step.IsBeyondOutline });
+    }
+    else if (this->Inside && !step.IsBeyondOutline && this->IsOutlineNearby(step.Triangle, e))
+    {
+      this->AddOwn({ next, normal.stableNormalized(), false, true });
     }
   }
 }
 
 //------------------------------------------------------------------------------
-bool HidingLayers::IsWithinReach(Index triangle) const
+bool HidingLayers::IsOutlineNearby(Index triangle, int edge) const
+{
+  const double most = ReachInPixels * this->PixelSize;
+  if (GetSquaredDistance(this->Surfaces.GetCorner(triangle, edge) - this->Point,
+        this->Surfaces.GetCorner(triangle, (edge + 1) % 3) - this->Point) > most * most)
+  {
+    return false;
+  }
+  const double side = this->Surfaces.GetAreaNormal(triangle).dot(this->ToEye);
+  const double other =
+    this->Surfaces.GetAreaNormal(this->Surfaces.GetNeighbour(triangle, edge)).dot(this->ToEye);
+  return (side < 0.0) != (this->Surfaces.IsAlike(triangle, edge) ? other < 0.0 : other >= 0.0);
+}
+
+//------------------------------------------------------------------------------
+bool HidingLayers::IsWithinReach(Index triangle, double reach) const
 {
   for (int corner = 0; corner < 3; ++corner)
   {
     const Vector here = this->Surfaces.GetCorner(triangle, corner) - this->Point;
-    if (here.squaredNorm() <= this->Reach * this->Reach)
+    if (here.squaredNorm() <= reach * reach)
     {
       return true;
     }
   }
-  return this->GetDistance(triangle) <= this->Reach;
+  return this->GetDistance(triangle) <= reach;
 }
 
 //------------------------------------------------------------------------------

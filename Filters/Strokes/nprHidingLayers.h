@@ -37,9 +37,9 @@ public:
   /// \p mayBeEdgeOn false if the point surely lies on no triangle that is seen exactly edge-on.
   int Count(const Vector& point, const Vector& normal, bool mayBeEdgeOn);
 
-  /// Whether the own surface around the last point is seen so nearly edge-on that how far something
-  /// is from the point may decide whether it hides it. Where nothing is in front, it is not asked.
-  bool IsNearlyEdgeOn() const { return this->AreSourcesKnown && this->NearlyEdgeOn; }
+  /// Whether how far something is from the last point may decide whether it hides it. Where nothing
+  /// is in front, it is not asked.
+  bool DependsOnDistance() const { return this->AreSourcesKnown && this->DistanceMatters; }
 
   /// Adds the places, in ]0, 1[, where a segment goes through a surface.
   void FindPiercings(const Vector& from, const Vector& to, std::vector<double>& places) const;
@@ -56,6 +56,7 @@ private:
     Index Triangle;
     Vector Normal; // of the triangle that the steps began at, turned as this one is
     bool IsSource;
+    bool IsBeyondOutline; // beside the point, on the side that is seen
   };
 
   int CountAt(const Vector& point, const Vector& normal);
@@ -78,7 +79,9 @@ private:
   Index FindOwn(Index triangle) const;
   void ClearOwn();
   double GetDistance(Index triangle) const;
-  bool IsWithinReach(Index triangle) const;
+  bool IsWithinReach(Index triangle, double reach) const;
+  /// Whether an edge is in the outline of the mesh, and in the image next to the point.
+  bool IsOutlineNearby(Index triangle, int edge) const;
   bool IsInside(Index triangle) const;
   double GetSize(Index triangle) const;
   int CountCrossings();
@@ -93,7 +96,8 @@ private:
   Vector ToEye; // unit
   double PixelSize = 0.0;
   bool AreSourcesKnown = false;
-  bool NearlyEdgeOn = false;
+  bool DistanceMatters = false;
+  bool Inside = false; // of the nearest triangle, and not on one of its edges
   Index Nearest = -1;
   double Gap = 0.0;   // distance from the nearest triangle
   double Reach = 0.0; // how far the own surface hides nothing

@@ -86,7 +86,7 @@ void StrokeSplitter::AddPiece(
   }
   this->Unseen = 0.0;
   const int layers = this->CountLayers(segment, 0.5 * (begin + end), mayBeEdgeOn);
-  if (length < 2.0 * EdgeOnStep || !this->Layers.IsNearlyEdgeOn())
+  if (length < 2.0 * EdgeOnStep || !this->Layers.DependsOnDistance())
   {
     this->Append(layers, start + begin, start + end, length);
     return;

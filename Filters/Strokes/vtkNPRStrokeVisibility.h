@@ -38,15 +38,19 @@
  * polyhedron. Such are ways within the reach of the point, through triangles that are connected
  * with the nearest one by edges, over triangles within reach whose normals turn less than 84
  * degrees from its own (the cosine is at least 0.1). The reach is 5 times the distance from the
- * surface; and where the stroke runs inside a triangle (farther from its edges than 1e-6 of the
- * radius, other than creases and contour edges) and the surface is seen nearly edge-on (the cosine
- * between its normal and the view is no more than 0.25; the normal is the stroke's point array
- * Normals, or else the triangle's), it is at least 4 sizes of the triangle and at least 2 pixels.
- * Where the stroke runs along an edge, of a triangle whose own cosine is no more than 0.06, it is
- * at least 2 pixels: just before a crease a smooth surface may turn away, and its contour is the
- * crease. So the two sides of a wall are never taken for one, however thin it is. A point on a
- * triangle that is seen exactly edge-on (the cosine is no more than 1e-4), as in views along an
- * axis of a machine part, has the lesser number of layers of the two sides of that triangle.
+ * surface; where the stroke runs inside a triangle (farther from its edges than 1e-6 of the radius,
+ * other than creases and contour edges) it is at least 2 pixels, and where the surface is seen
+ * nearly edge-on there (the cosine between its normal and the view is no more than 0.25; the normal
+ * is the stroke's point array Normals, or else the triangle's) at least 4 sizes of the triangle.
+ * Where the stroke runs along an edge, of a triangle whose own cosine is no more than 0.1, it is at
+ * least 2 pixels: just before a crease a smooth surface may turn away, and its contour is the
+ * crease. Or its contour is just behind the crease: where the stroke runs inside a triangle, these
+ * triangles may have an edge in the outline of the mesh (one of its two triangles is seen from the
+ * front, the other from the back) no farther than 2 pixels from the point; then what is beyond it,
+ * as far as 2 pixels, is no layer either. Beyond a second such edge there is no more, so the two
+ * sides of a wall are never taken for one, however thin it is. A point on a triangle that is seen
+ * exactly edge-on (the cosine is no more than 1e-4), as in views along an axis of a machine part,
+ * has the lesser number of layers of the two sides of that triangle.
  *
  * @par Where strokes are cut
  * The number of layers changes only where a contour edge or a border of a surface is in front of
@@ -54,8 +58,8 @@
  * its own surface (A. Appel, "The notion of quantitative invisibility and the machine rendering of
  * solids", 1967). Strokes are cut there, by intersecting projected edges, and one ray is traced for
  * each piece (for short ones, when 0.02 pixels have come together): long straight lines cost no
- * more than short ones, and nothing is too narrow to hide them. Pieces inside of triangles seen
- * nearly edge-on, behind something, are looked at pixel by pixel. Beyond 4 heights of the image
+ * more than short ones, and nothing is too narrow to hide them. Pieces inside of triangles,
+ * with something just in front of them, are looked at pixel by pixel. Beyond 4 heights of the image
  * from its middle cuts may be missing. Then pieces that are alike are put together, and parts
  * shorter than MinimumLength become part of their neighbours: the shortest first, if both
  * neighbours are alike with both, else with the longer one. A stroke that ends hidden keeps its

@@ -350,12 +350,17 @@ private:
     double distance = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i)
     {
-      const Vector a = this->Points[this->Triangles[triangle][i]];
-      const Vector along = this->Points[this->Triangles[triangle][(i + 1) % 3]] - a;
-      const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      distance = std::min(distance, (p - a - t * along).norm());
+      distance = std::min(distance, this->GetDistanceFromEdge(p, triangle, i));
     }
     return distance;
+  }
+
+  double GetDistanceFromEdge(const Vector& p, int triangle, int edge) const
+  {
+    const Vector a = this->Points[this->Triangles[triangle][edge]];
+    const Vector along = this->Points[this->Triangles[triangle][(edge + 1) % 3]] - a;
+    const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (p - a - t * along).norm();
   }
 
   OwnSurface FindOwnSurface(
@@ -396,11 +401,16 @@ private:
     }
     own.Reach = 5.0 * gap;
     const Vector toEye = this->GetDirectionToEye(point);
-    const Vector& n = normal.squaredNorm() > 0.0 ? normal : area;
-    if (std::abs(n.normalized().dot(toEye)) <= 0.25 &&
-      this->GetDistanceFromBorder(point, nearest) > 0.1 * touching)
+    const auto isEdgeOn = [&toEye](const Vector& direction, double most)
+    { return std::abs(direction.normalized().dot(toEye)) <= most; };
+    const bool isInside = this->GetDistanceFromBorder(point, nearest) > 0.1 * touching;
+    if (isInside)
     {
-      own.Reach = std::max({ own.Reach, 4.0 * size, 2.0 * pixelSize });
+      own.Reach = std::max(own.Reach, 2.0 * pixelSize);
+      if (isEdgeOn(normal.squaredNorm() > 0.0 ? normal : area, 0.25))
+      {
+        own.Reach = std::max(own.Reach, 4.0 * size);
+      }
     }
     // Connected ones that are as near as the nearest, then those around each of them.
     std::vector<int> sources = { nearest };
@@ -416,33 +426,48 @@ private:
         }
       }
     }
-    const bool isOnEdge =
-      gap <= touching && this->GetDistanceFromBorder(point, nearest) <= 0.1 * touching;
+    const bool isOnEdge = gap <= touching && !isInside;
     std::vector<int> queue;
     for (const int source : sources)
     {
       own.Around[source] = this->GetAreaNormal(source).normalized();
       own.ChordError = std::max(own.ChordError, this->ChordErrors[source]);
-      if (isOnEdge && std::abs(own.Around[source].dot(toEye)) <= 0.06)
+      if (isOnEdge && isEdgeOn(own.Around[source], 0.1))
       {
         own.Reach = std::max(own.Reach, 2.0 * pixelSize);
       }
       queue.push_back(source);
     }
+    std::set<int> beyond; // folds that are outlines
     for (std::size_t i = 0; i < queue.size(); ++i)
     {
-      for (const int next : this->Neighbours[queue[i]])
+      const bool isBeyond = beyond.count(queue[i]) != 0;
+      for (int e = 0; e < 3; ++e)
       {
-        if (next < 0 || own.Around.count(next) != 0 || this->GetDistance(point, next) > own.Reach)
+        const int next = this->Neighbours[queue[i]][e];
+        if (next < 0 || own.Around.count(next) != 0)
         {
           continue;
         }
-        const Vector reference = this->RunTheSameWay(queue[i], next) ? Vector(-own.Around[queue[i]])
-                                                                     : own.Around[queue[i]];
-        if (this->GetAreaNormal(next).normalized().dot(reference) >= 0.1)
+        const double sign = this->RunTheSameWay(queue[i], next) ? -1.0 : 1.0;
+        const Vector there = this->GetAreaNormal(next).normalized();
+        if (there.dot(sign * own.Around[queue[i]]) >= 0.1 &&
+          this->GetDistance(point, next) <= (isBeyond ? 2.0 * pixelSize : own.Reach))
         {
-          own.Around[next] = reference;
+          own.Around[next] = sign * own.Around[queue[i]];
           queue.push_back(next);
+          if (isBeyond)
+          {
+            beyond.insert(next);
+          }
+        }
+        else if (isInside && !isBeyond &&
+          (this->GetAreaNormal(queue[i]).dot(toEye) < 0.0) != (sign * there.dot(toEye) < 0.0) &&
+          this->GetDistanceFromEdge(point, queue[i], e) <= 2.0 * pixelSize)
+        {
+          own.Around[next] = there;
+          queue.push_back(next);
+          beyond.insert(next);
         }
       }
     }

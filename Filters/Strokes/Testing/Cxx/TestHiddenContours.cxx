@@ -139,6 +139,78 @@ void TestConvex()
   }
 }
 
+/// A closed disc with a sharp rim, convex, whose two sides meet the plane of the rim at angles.
+Data MakeLens(double above, double below, int rings, int sectors)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const double rise : { std::tan(above), -std::tan(below) })
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (int ring = 0; ring <= rings; ++ring)
+    {
+      for (int sector = 0; sector < sectors; ++sector)
+      {
+        const double r = 1.0 - static_cast<double>(ring) / rings;
+        const double angle = 2.0 * Pi * sector / sectors;
+        points->InsertNextPoint(
+          r * std::cos(angle), r * std::sin(angle), 0.5 * rise * (1.0 - r * r));
+        const vtkIdType here = first + ring * sectors + sector;
+        const vtkIdType next = first + ring * sectors + (sector + 1) % sectors;
+        if (ring < rings)
+        {
+          cells->InsertNextCell(
+            { here, rise > 0.0 ? next : here + sectors, rise > 0.0 ? here + sectors : next });
+        }
+        if (ring + 1 < rings)
+        {
+          cells->InsertNextCell({ next, rise > 0.0 ? next + sectors : here + sectors,
+            rise > 0.0 ? here + sectors : next + sectors });
+        }
+      }
+    }
+  }
+  const auto lens = Data::New();
+  lens->SetPoints(points);
+  lens->SetPolys(cells);
+  return lens;
+}
+
+/// The contour leaves the rim for the side that turns away just there. That side is hidden by the
+/// other, but not the contour, where it is next to the rim.
+void TestRim()
+{
+  constexpr double degree = Pi / 180.0;
+  struct Mesh
+  {
+    int Sectors;
+    int Rings;
+    double MostHidden; // in all views together, as a length on a lens of radius 1
+  };
+  for (const Mesh& mesh : { Mesh{ 48, 8, 0.3 }, Mesh{ 96, 8, 0.15 }, Mesh{ 96, 16, 0.09 } })
+  {
+    vtkNew<vtkNPRSurfacePreparation> prepare;
+    prepare->SetInputData(MakeLens(60.0 * degree, 17.0 * degree, mesh.Rings, mesh.Sectors));
+    vtkNew<vtkNPRCurvatureTensor> tensor;
+    tensor->SetInputConnection(prepare->GetOutputPort());
+    tensor->Update();
+    double hidden = 0.0;
+    for (double elevation = 8.0; elevation <= 20.0; elevation += 0.5)
+    {
+      const Vector3d eye(std::cos(elevation * degree), 0.08, -std::sin(elevation * degree));
+      const auto camera = MakeCamera(9.0 * eye, false);
+      const Parts parts =
+        GetParts(MakeFilter(MakeContours(tensor->GetOutput(), camera, { "contours" }),
+          { tensor->GetOutput() }, camera));
+      for (const Part& part : parts)
+      {
+        hidden += part.Layers > 0 ? part.GetLength() : 0.0;
+      }
+    }
+    check(hidden < mesh.MostHidden, "contours beside a sharp rim are visible", hidden);
+  }
+}
+
 void TestAgainstOracle()
 {
   const Data ring = MakeRing(160, 0.12);
@@ -250,6 +322,7 @@ int TestHiddenContours(int, char*[])
 {
   TestTorus();
   TestConvex();
+  TestRim();
   TestAgainstOracle();
   TestThreads();
   return check.GetResult();
