@@ -21,9 +21,12 @@ bool IsSamePlace(const Vector3& a, const Vector3& b)
 /// Beside spans that are so much shorter, a spline overshoots: its tangent, half the way from one
 /// neighbour to the other, is more than three times a span (Fritsch, Carlson 1980).
 constexpr double LongestReach = 6.0;
+/// The cosine of a turn that can not be seen: 5 degrees.
+constexpr double Straight = 0.9962;
 
-/// Whether a chain from a over b to c turns by more than an angle, or by more than half of it where
-/// a spline would overshoot.
+/// Whether a chain from a over b to c turns by more than an angle. Where a spline would overshoot,
+/// half of the angle suffices, and so does no turn at all: there, the parts of a spline meet
+/// smoothly even so.
 bool IsCorner(const Vector3& a, const Vector3& b, const Vector3& c, double cosine)
 {
   Vector3 in, out;
@@ -37,11 +40,14 @@ bool IsCorner(const Vector3& a, const Vector3& b, const Vector3& c, double cosin
   {
     return true;
   }
+  const double longestReach = LongestReach * std::min(inLength, outLength);
+  if (turn > Straight)
+  {
+    return cosine >= -1.0 && inLength + outLength > longestReach;
+  }
   // By the cosine of twice the turn; unless no turn is a corner.
   const bool turnsHalf = cosine >= -1.0 && (turn < 0.0 || 2.0 * turn * turn - 1.0 < cosine);
-  return turnsHalf &&
-    std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), c.data())) >
-    LongestReach * std::min(inLength, outLength);
+  return turnsHalf && std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), c.data())) > longestReach;
 }
 }
 

@@ -119,9 +119,9 @@ private:
 /// From an angle in degrees to what SplitAtCorners() takes; no turn is a corner at 180 degrees.
 VTKNPRFILTERSSTROKES_EXPORT double GetCornerCosine(double angle);
 
-/// The parts of a chain between points where it turns by more than an angle, or by more than half
-/// of it beside a span so long that a spline would overshoot the other. A closed chain with corners
-/// is opened at the first one; without, it is one closed part.
+/// The parts of a chain between points where it turns by more than an angle; beside a span so long
+/// that a spline would overshoot the other, by more than half of it, or not at all. A closed chain
+/// with corners is opened at the first one; without, it is one closed part.
 VTKNPRFILTERSSTROKES_EXPORT std::vector<SplinePart> SplitAtCorners(
   const StrokeChain& chain, double cornerCosine);
 }

@@ -210,6 +210,23 @@ void TestCatmullRomMakesNoLoops()
   }
 }
 
+// Where short spans follow a long one straight on, as where the side of a cylinder comes to its
+// rim: no stroke goes on beyond the last of them and comes back.
+void TestCatmullRomStopsAtCorners()
+{
+  vtkNew<vtkNPRSplineStrokes> filter;
+  filter->SetSubdivisions(16);
+  for (const double bend : { 0.0, 0.01, 0.04 })
+  {
+    const Points side = { { 0, 0, 0 }, { 40, 0, 0 }, { 41, bend, 0 }, { 41.5, 2 * bend, 0 },
+      { 41.5, 3, 0 }, { 41.5, 6, 0 } };
+    for (const npr::Vector3& p : Run(filter, side))
+    {
+      CHECK(p[0] < 41.5 + 1e-3);
+    }
+  }
+}
+
 void TestBSplineStaysInside()
 {
   vtkNew<vtkNPRSplineStrokes> filter;
@@ -576,6 +593,7 @@ int TestSplineStrokes(int, char*[])
   TestDistanceFromChord();
   TestCatmullRomInterpolates();
   TestCatmullRomMakesNoLoops();
+  TestCatmullRomStopsAtCorners();
   TestBSplineStaysInside();
   TestClosedHasNoSeam();
   TestCornersSurvive();
