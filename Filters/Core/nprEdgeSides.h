@@ -19,6 +19,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,6 +27,14 @@ namespace npr
 {
 /// Which share of the angle of a crease an edge needs that stands out from the edges beside it.
 inline constexpr double SoftCreaseShare = 0.5;
+/// Below which angle an edge between two facets of a round face is no crease: 1.3 times that of a
+/// crease, but no more than 50 degrees. The side of a hole of eight facets is round, a box is not.
+inline double GetRoundAngle(double creaseAngle)
+{
+  constexpr double share = 1.3;
+  constexpr double most = 0.8727; // 50 degrees
+  return std::min(share * creaseAngle, most);
+}
 
 /**
  * @class PathAcross
@@ -185,23 +194,17 @@ void VisitBends(const Surface& surface, TriangleMesh::Index halfEdge, const Visi
 }
 
 /**
- * Whether an edge stands out from the edges beside it: its triangles meet at more than twice the
- * sum of the largest angles on its one side and on its other.
+ * The largest angles, in radians, between the triangles of the next edges across, on the one side
+ * of an edge and on the other.
  *
- * In a round face that has been made triangles of, all edges across are bent about alike, however
- * coarse it is, and half as much where it goes over into a flat one; where it ends in a fold, the
- * fold is bent more. Looked at are the edges across on both sides, three times as far as the
- * nearest that is bent: so the far ends of flat faces do not matter. What is nearer than the least
- * distance does not tell how far to look, since it may be a sliver's.
- *
- * @param first, second the half-edges of the edge
- * @param angle between its triangles, in radians
+ * Looked at are the edges three times as far as the nearest that is bent: so the far ends of flat
+ * faces do not matter. What is nearer than the least distance does not tell how far to look, since
+ * it may be a sliver's.
  */
 template<typename Surface>
-bool StandsOut(const Surface& surface, TriangleMesh::Index first, TriangleMesh::Index second,
-  double angle, double leastDistance)
+std::array<double, 2> GetBendsBeside(const Surface& surface, TriangleMesh::Index first,
+  TriangleMesh::Index second, double leastDistance)
 {
-  constexpr double ratio = 2.0;
   constexpr double leastBend = 0.0175; // one degree: less is flat
   // Round-off must not tell an edge at the very distance from one beyond it.
   constexpr double reach = 3.001;
@@ -218,23 +221,38 @@ bool StandsOut(const Surface& surface, TriangleMesh::Index first, TriangleMesh::
         return distance < nearest;
       });
   }
-  double sum = 0.0;
-  for (const TriangleMesh::Index side : { first, second })
+  std::array<double, 2> largest = { 0.0, 0.0 };
+  for (const int side : { 0, 1 })
   {
-    double largest = 0.0;
-    VisitBends(surface, side,
+    VisitBends(surface, side == 0 ? first : second,
       [&](double distance, double bend)
       {
         if (distance > reach * nearest)
         {
           return false;
         }
-        largest = std::max(largest, bend);
+        largest[side] = std::max(largest[side], bend);
         return true;
       });
-    sum += largest;
   }
-  return ratio * sum < angle;
+  return largest;
+}
+
+/// Whether an edge that is bent by an angle stands out from those beside it. In a round face that
+/// has been made triangles of, all edges across are bent about alike, however coarse it is, and
+/// half as much where it goes over into a flat one; where it ends in a fold, the fold is bent more.
+inline bool StandsOut(double angle, const std::array<double, 2>& beside)
+{
+  constexpr double ratio = 2.0;
+  return ratio * (beside[0] + beside[1]) < angle;
+}
+
+/// Whether an edge may be between two facets of a round face: those on both sides are bent alike.
+inline bool IsOfRound(double angle, const std::array<double, 2>& beside)
+{
+  constexpr double ratio = 0.75;
+  const auto [less, more] = std::minmax({ beside[0], beside[1] });
+  return less > ratio * angle && angle > ratio * more;
 }
 }
 

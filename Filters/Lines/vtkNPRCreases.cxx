@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkNPRCreases);
@@ -89,13 +90,16 @@ void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::Li
         const double near = getAngle(distance);
         const double far = getAngle(WiderView * distance);
         const double least = std::min({ angle, near, far });
+        accepted = least > sharp && (distance == 0.0 || near <= FoldedFlat);
         // Where the preparation has split the surface it knows more than can be seen from here.
-        const bool mayBeSoft = distance > 0.0 && this->Angle < 180.0 &&
-          surface.GetTwin(side[0]) == npr::LineSurface::NoTwin;
-        accepted = (distance == 0.0 || near <= FoldedFlat) &&
-          (least > sharp ||
-            (mayBeSoft && least > soft &&
-              npr::StandsOut(sides, side[0], side[1], angle, WiderView * distance)));
+        const bool isSeam = surface.GetTwin(side[0]) == npr::LineSurface::NoTwin;
+        if (distance > 0.0 && this->Angle < 180.0 &&
+          (accepted ? angle < npr::GetRoundAngle(sharp) : isSeam && least > soft))
+        {
+          const std::array<double, 2> beside =
+            npr::GetBendsBeside(sides, side[0], side[1], WiderView * distance);
+          accepted = accepted ? !npr::IsOfRound(angle, beside) : npr::StandsOut(angle, beside);
+        }
       }
     }
     strength[i - begin] = accepted ? 1.0f : 0.0f;

@@ -16,10 +16,13 @@
  * make no crease; triangles that are higher, as those of scans mostly are, count as they are. Sides
  * that lie on each other, at an angle above 178 degrees, make no crease either.
  *
- * @par Soft creases
+ * @par Soft creases and coarse rounds
  * A wall may meet a round at a small angle. Where vtkNPRSurfacePreparation has split the surface
- * along an edge, half of the angle suffices if the edge stands out from those beside it (see
- * nprEdgeSides.h): edges of a coarse cylinder or fillet, which are all bent about alike, do not.
+ * along an edge, half of the angle suffices if the edge stands out from those beside it: it is bent
+ * more than twice as much as the next edges across on both sides together. The other way round,
+ * edges that are bent as those on both their sides (to 3/4) are facets of a round face, such as a
+ * hole with eight of them, and no creases below 1.3 times the angle and
+ * 50 degrees.
  *
  * @sa vtkNPRFeatureLines vtkNPRBoundaries vtkNPRNonManifoldEdges
  */

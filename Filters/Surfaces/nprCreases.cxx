@@ -269,16 +269,20 @@ EdgeFlags FindCreases(const TriangleMesh& mesh, double angle)
               GetSideNormal(mesh, normals, least, t, neighbour)
                 .dot(GetSideNormal(mesh, normals, least, neighbour, t)) < least;
           };
+          const double bend = std::acos(std::clamp(cosine, -1.0f, 1.0f));
+          // In the same order from both triangles, so that both have the same to the last bit.
+          const auto [first, second] = std::minmax({ 3 * t + e, sides.GetOther(3 * t + e) });
           if (isSharp(sharpCosine))
           {
-            creases[t][e] = Sharp;
+            creases[t][e] = bend < GetRoundAngle(sharp) &&
+                IsOfRound(bend, GetBendsBeside(sides, first, second, leastDetail))
+              ? Smooth
+              : Sharp;
           }
           else if (isSharp(softCosine))
           {
-            // In the same order from both triangles, so that both have the same to the last bit.
-            const auto [first, second] = std::minmax({ 3 * t + e, sides.GetOther(3 * t + e) });
-            const double bend = std::acos(std::clamp(cosine, -1.0f, 1.0f));
-            creases[t][e] = StandsOut(sides, first, second, bend, leastDetail) ? Soft : Smooth;
+            creases[t][e] =
+              StandsOut(bend, GetBendsBeside(sides, first, second, leastDetail)) ? Soft : Smooth;
           }
         }
       }

@@ -15,7 +15,8 @@ namespace npr
 /**
  * The edges whose triangles meet at more than an angle (needs the neighbours); at more than half of
  * it where they stand out from the edges beside them (see nprEdgeSides.h) and lead from one crease
- * or border to another, or close.
+ * or border to another, or close; and at more than 1.3 times of it, or 50 degrees, where they are
+ * between facets of a round face, bent alike on both sides.
  *
  * Noise must not shatter a scan. So the angle must also lie between the means over the nearest
  * triangles of either side, and of edges that hang together fewer than six (a border they end at

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPolyData> ExtractFrom(vtkPolyData* surface,
   for (const char* name : names)
   {
     vtkNPRLineDefinition* const definition = lines->AddDefinition(name);
-    definition->SetParameter("angle", 12.0); // creases: the ring has none that are sharper
+    definition->SetParameter("angle", 9.0); // creases: the ring has none that are sharper
     definition->SetParameter("region", 0.01);
   }
   lines->SetCamera(camera);

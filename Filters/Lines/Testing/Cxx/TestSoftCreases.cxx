@@ -135,11 +135,15 @@ void TestFillets(Checks& check)
 // What is round all around, however coarse.
 void TestRounds(Checks& check)
 {
-  for (const int sides : { 10, 12, 16, 24 })
+  for (const int sides : { 8, 9, 10, 12, 16, 24 })
   {
     const auto can = ExtractCreases(MakeCan(1.0, 3.0, sides), check);
     check(can.size() == 2, "a cylinder has two rims and no other crease",
       static_cast<double>(can.size()));
+    if (sides < 10)
+    {
+      continue;
+    }
     check(ExtractCreases(MakeSphere(sides, 1.0), check).empty(), "a sphere has no crease", sides);
     check(ExtractCreases(MakeTorus(1.0, 0.4, sides, sides).Mesh, check).empty(),
       "a ring has no crease", sides);
@@ -148,6 +152,25 @@ void TestRounds(Checks& check)
   {
     check(ExtractCreases(MakeOctasphere(1.0, level), check).empty(), "nor has a ball", level);
   }
+}
+
+// What is made of flat faces keeps its edges: chamfers of 45 degrees, a hexagonal bar.
+void TestChamfers(Checks& check)
+{
+  for (const double width : { 0.05, 0.2, 1.0 })
+  {
+    Profile profile;
+    Pen pen(profile);
+    pen.Draw(2.0);
+    pen.Turn(45.0);
+    pen.Draw(width);
+    pen.Turn(45.0);
+    pen.Draw(1.0);
+    const auto chains = ExtractCreases(Extrude(profile, 7, 2.0), check);
+    check(chains.size() == 2, "a chamfer has two edges", static_cast<double>(chains.size()));
+  }
+  const auto bar = ExtractCreases(MakeCan(1.0, 3.0, 6), check);
+  check(bar.size() == 18, "a hexagonal bar has 18 edges", static_cast<double>(bar.size()));
 }
 
 // A fold across a sheet, whose angle is the same all along or falls to nothing.
@@ -181,6 +204,7 @@ int TestSoftCreases(int, char*[])
   TestChannel(check);
   TestFillets(check);
   TestRounds(check);
+  TestChamfers(check);
   TestFolds(check);
   return check.GetResult();
 }
