@@ -27,7 +27,9 @@ inline constexpr const char* PrincipalDirection2 = "PrincipalDirection2"; // 3, 
 inline constexpr const char* MeanCurvature = "MeanCurvature";             // 1, 1/length
 inline constexpr const char* GaussianCurvature = "GaussianCurvature";     // 1, 1/length^2
 inline constexpr const char* CurvatureDerivatives =
-  "CurvatureDerivatives";                                           // 4, P Q S T; 1/length^2
+  "CurvatureDerivatives"; // 4, P Q S T; 1/length^2
+/// How doubtful CurvatureDerivatives are: from 1 on they mean nothing (nprDerivativeDoubt.h).
+inline constexpr const char* DerivativeDoubt = "DerivativeDoubt";   // 1, in [0, 10]
 inline constexpr const char* ShapeIndex = "ShapeIndex";             // 1, in [-1, 1]: cup to cap
 inline constexpr const char* Curvedness = "Curvedness";             // 1, 1/length
 inline constexpr const char* PointArea = "PointArea";               // 1, length^2

@@ -5,6 +5,7 @@
 #include "nprArrayNames.h"
 #include "nprCurvature.h"
 #include "nprCurvatureDerivatives.h"
+#include "nprDerivativeDoubt.h"
 #include "nprFaceCurvature.h"
 #include "nprGhostLevels.h"
 #include "nprLengthScale.h"
@@ -18,10 +19,34 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 
 #include <cmath>
 
 vtkStandardNewMacro(vtkNPRCurvatureDerivatives);
+
+namespace
+{
+/// The derivatives over MakeTangentFrame(normal), from P, Q, S and T.
+npr::Tuples<4> ToTangentFrames(
+  const npr::Tuples<4>& derivatives, const npr::Tuples<3>& normals, const npr::Tuples<3>& e1)
+{
+  npr::Tuples<4> cubics(derivatives.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(cubics.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Eigen::Vector3d normal = normals[i].cast<double>();
+        const Eigen::Vector3d u = e1[i].cast<double>();
+        cubics[i] = npr::ChangeFrame(
+          derivatives[i].cast<double>(), { u, normal.cross(u) }, npr::MakeTangentFrame(normal))
+                      .cast<float>();
+      }
+    });
+  return cubics;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkNPRCurvatureDerivatives::vtkNPRCurvatureDerivatives() = default;
@@ -33,7 +58,7 @@ int vtkNPRCurvatureDerivatives::RequestUpdateExtent(
 {
   const int smoothing = this->SmoothingRadius > 0.0 ? npr::DiffusionReach : 0;
   npr::RequestGhostLevels(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0),
-    npr::FaceCurvature().GetReach() + npr::NormalsReach + smoothing);
+    npr::FaceCurvature().GetReach() + npr::NormalsReach + smoothing + npr::DoubtReach);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
@@ -121,6 +146,9 @@ bool vtkNPRCurvatureDerivatives::Compute(vtkPolyData* input, vtkPolyData* output
   {
     return false;
   }
+  output->GetPointData()->AddArray(npr::MakeArray(npr::names::DerivativeDoubt,
+    npr::ComputeDerivativeDoubt(
+      mesh, normals, tensors, ToTangentFrames(derivatives, normals, e1))));
   output->GetPointData()->AddArray(
     npr::MakeArray<4>(npr::names::CurvatureDerivatives, derivatives));
   return true;

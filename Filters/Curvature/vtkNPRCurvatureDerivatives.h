@@ -8,7 +8,8 @@
  * principal curvature along the first and second principal direction, then of the second one; in
  * 1/length^2). The input needs the array CurvatureTensor of vtkNPRCurvatureTensor; the frame is
  * that of its PrincipalDirection1, or, where that is missing, comes from the tensor and is added.
- * To turn a principal direction over changes the sign of all four.
+ * To turn a principal direction over changes the sign of all four. DerivativeDoubt says where they
+ * mean something, as that of vtkNPRCurvatureTensor.
  *
  * S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004. On
  * irregular meshes third derivatives are noise; smooth the tensor before, or the result here.

@@ -6,6 +6,7 @@
 #include "nprCorrectedMeasures.h"
 #include "nprCurvature.h"
 #include "nprCurvatureDerivatives.h"
+#include "nprDerivativeDoubt.h"
 #include "nprFaceCurvature.h"
 #include "nprGhostLevels.h"
 #include "nprJets.h"
@@ -172,7 +173,8 @@ int vtkNPRCurvatureTensor::RequestUpdateExtent(
 {
   const int smoothing = this->SmoothingRadius > 0.0 ? npr::DiffusionReach : 0;
   npr::RequestGhostLevels(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0),
-    this->MakeEstimator(nullptr, nullptr)->GetReach() + npr::NormalsReach + smoothing);
+    this->MakeEstimator(nullptr, nullptr)->GetReach() + npr::NormalsReach + smoothing +
+      (this->OutputDerivatives && this->OutputDerivativeDoubt ? npr::DoubtReach : 0));
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
@@ -245,6 +247,12 @@ bool vtkNPRCurvatureTensor::Compute(vtkPolyData* input, vtkPolyData* output)
   }
 
   vtkPointData* const pointData = output->GetPointData();
+  pointData->RemoveArray(npr::names::DerivativeDoubt); // of other derivatives
+  if (this->OutputDerivativeDoubt && this->OutputDerivatives)
+  {
+    pointData->AddArray(npr::MakeArray(npr::names::DerivativeDoubt,
+      npr::ComputeDerivativeDoubt(mesh, estimate.Normals, estimate.Tensors, estimate.Derivatives)));
+  }
   npr::AddCurvatureArrays(output, std::move(estimate.Tensors), estimate.Normals,
     { this->OutputTensor, this->OutputPrincipalCurvatures, this->OutputPrincipalDirections,
       this->OutputMeanCurvature, this->OutputGaussianCurvature, this->OutputShapeIndex,
@@ -301,6 +309,7 @@ void vtkNPRCurvatureTensor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputMeanCurvature: " << this->OutputMeanCurvature << "\n";
   os << indent << "OutputGaussianCurvature: " << this->OutputGaussianCurvature << "\n";
   os << indent << "OutputDerivatives: " << this->OutputDerivatives << "\n";
+  os << indent << "OutputDerivativeDoubt: " << this->OutputDerivativeDoubt << "\n";
   os << indent << "OutputShapeIndex: " << this->OutputShapeIndex << "\n";
   os << indent << "OutputCurvedness: " << this->OutputCurvedness << "\n";
   os << indent << "OutputPointArea: " << this->OutputPointArea << "\n";

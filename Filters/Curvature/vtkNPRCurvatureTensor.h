@@ -19,10 +19,12 @@
  * | CurvatureDerivatives | 4, 1/length^2 | P, Q, S, T: the derivatives of the first principal
  * curvature along the first and the second direction, then of the second one; all change sign when
  * the directions are turned over |
- * | ShapeIndex | 1 | cup -1, valley -0.5, saddle 0, ridge 0.5, cap 1 (Koenderink, van Doorn 1992);
- * off by default |
- * | Curvedness | 1, 1/length | root mean square of the principal curvatures; off by default |
- * | PointArea | 1, length^2 | the point's share of the surface (mixed Voronoi area, Meyer et al.
+ * | DerivativeDoubt | 1 | how doubtful these derivatives are, in [0, 10]: from 1 on they mean
+ * nothing, as mostly on the long, thin triangles of CAD programs (see nprDerivativeDoubt.h). Lines
+ * from derivatives of curvature end there. Not without CurvatureDerivatives | | ShapeIndex | 1 |
+ * cup -1, valley -0.5, saddle 0, ridge 0.5, cap 1 (Koenderink, van Doorn 1992); off by default | |
+ * Curvedness | 1, 1/length | root mean square of the principal curvatures; off by default | |
+ * PointArea | 1, length^2 | the point's share of the surface (mixed Voronoi area, Meyer et al.
  * 2002); off by default |
  * | BorderPoints | 1 | 1 where the estimate is one-sided: at borders, at creases that the
  * preparation has split, and at edges with more than two triangles |
@@ -170,6 +172,9 @@ public:
   vtkSetMacro(OutputDerivatives, bool);
   vtkGetMacro(OutputDerivatives, bool);
   vtkBooleanMacro(OutputDerivatives, bool);
+  vtkSetMacro(OutputDerivativeDoubt, bool);
+  vtkGetMacro(OutputDerivativeDoubt, bool);
+  vtkBooleanMacro(OutputDerivativeDoubt, bool);
   vtkSetMacro(OutputShapeIndex, bool);
   vtkGetMacro(OutputShapeIndex, bool);
   vtkBooleanMacro(OutputShapeIndex, bool);
@@ -219,6 +224,7 @@ private:
   bool OutputMeanCurvature = true;
   bool OutputGaussianCurvature = true;
   bool OutputDerivatives = true;
+  bool OutputDerivativeDoubt = true;
   bool OutputShapeIndex = false;
   bool OutputCurvedness = false;
   bool OutputPointArea = false;

@@ -119,6 +119,7 @@ int vtkNPRImplicitCurvature::RequestData(
   }
 
   vtkPointData* const pointData = output->GetPointData();
+  pointData->RemoveArray(npr::names::DerivativeDoubt); // of a mesh's derivatives
   pointData->SetNormals(npr::MakeArray<3>(npr::names::Normals, estimate.Normals));
   npr::AddCurvatureArrays(output, std::move(estimate.Tensors), estimate.Normals,
     { true, true, true, true, true, this->OutputShapeIndex, this->OutputCurvedness },

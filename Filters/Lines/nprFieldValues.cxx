@@ -19,6 +19,8 @@ namespace
 {
 // Long enough that the call of a definition costs nothing, short enough to balance the threads.
 constexpr TriangleMesh::Index BlocksOfSpan = 16;
+// From where on doubt counts; at 1 nothing is left of a line.
+constexpr float LeastDoubt = 0.8f;
 }
 
 //------------------------------------------------------------------------------
@@ -33,12 +35,13 @@ FieldValues::FieldValues(const LineSurface& surface, const LineClusters& cluster
 }
 
 //------------------------------------------------------------------------------
-void FieldValues::Start(
-  const vtkNPRLineDefinition& definition, const LineView& view, const std::vector<float>& levels)
+void FieldValues::Start(const vtkNPRLineDefinition& definition, const LineView& view,
+  const std::vector<float>& levels, const float* doubts)
 {
   this->Definition = &definition;
   this->View = view;
   this->Levels = &levels;
+  this->Doubts = doubts;
   for (Index block = 0; block < this->NumberOfBlocks; ++block)
   {
     this->Blocks[block].store(0, std::memory_order_relaxed);
@@ -181,6 +184,12 @@ void FieldValues::SetBlockSide(Index begin, Index end)
 }
 
 //------------------------------------------------------------------------------
+bool FieldValues::HasTest() const
+{
+  return this->Doubts || this->Definition->HasTest();
+}
+
+//------------------------------------------------------------------------------
 // The fall to a maximum is measured in the triangles around a point.
 void FieldValues::RequireAroundTests()
 {
@@ -262,8 +271,26 @@ void FieldValues::EvaluateTests(const Index* points, std::size_t count)
     }
   }
   std::array<float, BlocksOfSpan * LineClusters::PointsOfBlock> test;
-  this->Definition->EvaluateTest(this->Surface, this->View, points, static_cast<vtkIdType>(count),
-    fall.empty() ? nullptr : fall.data(), test.data());
+  if (this->Definition->HasTest())
+  {
+    this->Definition->EvaluateTest(this->Surface, this->View, points, static_cast<vtkIdType>(count),
+      fall.empty() ? nullptr : fall.data(), test.data());
+  }
+  else
+  {
+    std::fill_n(test.begin(), count, 1.0f);
+  }
+  if (this->Doubts)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const float doubt = this->Doubts[points[i]];
+      if (doubt > LeastDoubt)
+      {
+        test[i] = std::min(test[i], (1.0f - doubt) / (1.0f - LeastDoubt));
+      }
+    }
+  }
   for (std::size_t i = 0; i < count; ++i)
   {
     this->Test[points[i]] = test[i];

@@ -39,9 +39,10 @@ public:
   /// Both must outlive this.
   FieldValues(const LineSurface& surface, const LineClusters& clusters);
 
-  /// Forgets what was. The levels, in ascending order, must stay while this is used.
-  void Start(
-    const vtkNPRLineDefinition& definition, const LineView& view, const std::vector<float>& levels);
+  /// Forgets what was. The levels, in ascending order, must stay while this is used, and so must
+  /// doubts: of all points, or null for none.
+  void Start(const vtkNPRLineDefinition& definition, const LineView& view,
+    const std::vector<float>& levels, const float* doubts);
 
   /// The axes that the field's sign belongs to; null where it has one value.
   const FieldAxes* GetAxes() const { return this->Axes.get(); }
@@ -68,7 +69,10 @@ public:
   ///@}
 
   /// @name The test
+  /// The definition's, and where points are in doubt what is left of it: the strength fades out
+  /// while the doubt grows to 1.
   ///@{
+  bool HasTest() const;
   void RequireTest(Index point)
   {
     this->TestPoints[point].store(1, std::memory_order_relaxed);
@@ -95,6 +99,7 @@ private:
   const vtkNPRLineDefinition* Definition = nullptr;
   LineView View;
   const std::vector<float>* Levels = nullptr;
+  const float* Doubts = nullptr;
   std::unique_ptr<FieldAxes> Axes;
   const Index NumberOfPoints;
   const Index NumberOfBlocks;

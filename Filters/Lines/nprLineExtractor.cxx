@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprLineExtractor.h"
 
+#include "nprArrayNames.h"
 #include "nprEdgePieces.h"
 #include "nprLanes.h"
 #include "vtkNPRLineDefinition.h"
@@ -126,7 +127,7 @@ void LineExtractor::Extract(
   segments.Pieces.clear();
   if (this->Definition.HasField())
   {
-    values.Start(this->Definition, view, this->Levels);
+    values.Start(this->Definition, view, this->Levels, this->GetDoubts(options));
     this->AddCrossings(view, options, values, segments);
     if (this->Definition.FollowsJumps())
     {
@@ -141,6 +142,15 @@ void LineExtractor::Extract(
 }
 
 //------------------------------------------------------------------------------
+const float* LineExtractor::GetDoubts(const LineOptions& options) const
+{
+  return !options.KeepsDoubtful && this->Definition.NeedsDerivatives() &&
+      this->Surface.HasArray(names::DerivativeDoubt)
+    ? this->Surface.GetComponent(names::DerivativeDoubt, 0)
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 void LineExtractor::AddCrossings(
   const LineView& view, const LineOptions& options, FieldValues& values, LineSegments& segments)
 {
@@ -149,7 +159,7 @@ void LineExtractor::AddCrossings(
     this->RequireSeams(values);
   }
   const CrossingMaker maker(this->Surface, this->Levels, values);
-  const bool isTested = this->Definition.HasTest();
+  const bool isTested = values.HasTest();
   const auto makeCrossings = [&](Part& part)
   {
     part.Crossings.clear();

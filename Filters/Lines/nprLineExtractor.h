@@ -34,6 +34,8 @@ struct LineOptions
   /// Whether crossings are placed by the slopes of the field at the ends of an edge, where the
   /// definition knows them, and not by its values alone.
   bool UseSlopes = false;
+  /// Whether lines from derivatives of curvature are also where these are in doubt.
+  bool KeepsDoubtful = false;
   /// How many of the triangles the strategy Random begins at.
   double SeedShare = 0.005;
 };
@@ -83,6 +85,7 @@ private:
   void RequireSeams(FieldValues& values) const;
   void FindClusters(const LineView& view, LineStrategy strategy, FieldValues& values);
   bool IsOnOneSide(Index cluster, const FieldValues& values) const;
+  const float* GetDoubts(const LineOptions& options) const;
   void AddCrossings(
     const LineView& view, const LineOptions& options, FieldValues& values, LineSegments& segments);
   void FindCrossed(const FieldValues& values, Part& part) const;

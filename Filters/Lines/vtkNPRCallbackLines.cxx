@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRCallbackLines.h"
 
+#include "nprArrayNames.h"
 #include "nprViewQuantities.h"
 
 #include <vtkCommand.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 
 vtkStandardNewMacro(vtkNPRCallbackLines);
 
@@ -31,6 +33,7 @@ public:
   npr::LineView View;
   std::map<std::string, vtkSmartPointer<vtkDataArray>> Quantities;
 
+  bool NeedsDerivatives = false; // what was asked for
   // What came back. No test where it is empty.
   std::vector<float> Field;
   std::vector<float> Test;
@@ -112,6 +115,8 @@ vtkDataArray* vtkNPRCallbackLines::GetQuantity(const char* name)
                                    << array.Maker << " before this filter.");
       return nullptr;
     }
+    internal.NeedsDerivatives =
+      internal.NeedsDerivatives || std::string(array.Name) == npr::names::CurvatureDerivatives;
   }
   const int components = quantity->Components;
   vtkNew<vtkDoubleArray> array;
@@ -215,17 +220,25 @@ std::vector<vtkNPRLineDefinition::RequiredArray> vtkNPRCallbackLines::GetRequire
 }
 
 //------------------------------------------------------------------------------
+bool vtkNPRCallbackLines::NeedsDerivatives() const
+{
+  return this->Internal->NeedsDerivatives;
+}
+
+//------------------------------------------------------------------------------
 void vtkNPRCallbackLines::BeginView(const npr::LineSurface& surface, const npr::LineView& view)
 {
   Internals& internal = *this->Internal;
   internal.Field.clear();
   internal.Test.clear();
+  internal.NeedsDerivatives = false;
   if (vtkNPRCallbackLines* observed = internal.Observed)
   {
     observed->BindInput(internal.Input);
     observed->BeginView(surface, view);
     internal.Field = std::move(observed->Internal->Field);
     internal.Test = std::move(observed->Internal->Test);
+    internal.NeedsDerivatives = observed->Internal->NeedsDerivatives;
     return;
   }
   internal.Surface = &surface;

@@ -74,6 +74,8 @@ public:
 
 #ifndef __VTK_WRAP__
   std::vector<RequiredArray> GetRequiredArrays() const override;
+  /// Whether the observer has asked for a quantity that is made from them.
+  bool NeedsDerivatives() const override;
   void BindInput(vtkPolyData* input) override;
   void BeginView(const npr::LineSurface& surface, const npr::LineView& view) override;
   bool HasField() const override

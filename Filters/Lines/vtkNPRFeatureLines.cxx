@@ -192,6 +192,7 @@ npr::LineOptions vtkNPRFeatureLines::GetOptions() const
     : this->Strategy == RANDOM_SEEDS                  ? npr::LineStrategy::Random
                                                       : npr::LineStrategy::Hierarchical;
   options.UseSlopes = this->Interpolation == HERMITE;
+  options.KeepsDoubtful = this->KeepDoubtful;
   options.SeedShare = this->SeedShare;
   return options;
 }
@@ -333,6 +334,7 @@ void vtkNPRFeatureLines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Strategy: " << this->Strategy << "\n";
   os << indent << "SeedShare: " << this->SeedShare << "\n";
   os << indent << "Interpolation: " << this->Interpolation << "\n";
+  os << indent << "KeepDoubtful: " << this->KeepDoubtful << "\n";
   os << indent << "ComputeMissingArrays: " << this->ComputeMissingArrays << "\n";
   os << indent << "OutputSources: " << this->OutputSources << "\n";
   os << indent << "Definitions: " << this->GetNumberOfDefinitions() << "\n";

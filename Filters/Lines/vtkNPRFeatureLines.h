@@ -188,6 +188,16 @@ public:
   ///@}
 
   ///@{
+  /// Whether lines from derivatives of curvature (suggestive contours, ridges, expressions with
+  /// dwkr and others) are also where the input's point array DerivativeDoubt says that these mean
+  /// nothing, as on most meshes of CAD programs. Default is off: there lines fade out. Inputs
+  /// without the array, which vtkNPRCurvatureTensor makes, are trusted.
+  vtkSetMacro(KeepDoubtful, bool);
+  vtkGetMacro(KeepDoubtful, bool);
+  vtkBooleanMacro(KeepDoubtful, bool);
+  ///@}
+
+  ///@{
   /// Whether points say where on the input they are from: arrays SourceCell and SourceEdge. Default
   /// is off.
   vtkSetMacro(OutputSources, bool);
@@ -244,6 +254,7 @@ private:
   int Strategy = HIERARCHICAL;
   double SeedShare = 0.005;
   int Interpolation = LINEAR;
+  bool KeepDoubtful = false;
   bool OutputSources = false;
   bool ComputeMissingArrays = false;
 

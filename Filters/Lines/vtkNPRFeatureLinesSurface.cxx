@@ -124,10 +124,15 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
   }
   // Normals of lines are welcome, but creases and boundaries do without.
   surface.LoadArray(input, npr::names::Normals, 3);
+  if (surface.HasArray(npr::names::CurvatureDerivatives))
+  {
+    surface.LoadArray(input, npr::names::DerivativeDoubt, 1);
+  }
   internal.SetClusters(isNew);
 
   const npr::LineOptions options = this->GetOptions();
   const bool isStaticNew = options.UseSlopes != internal.Options.UseSlopes ||
+    options.KeepsDoubtful != internal.Options.KeepsDoubtful ||
     this->OutputSources != internal.OutputSources;
   internal.Options = options;
   internal.OutputSources = this->OutputSources;

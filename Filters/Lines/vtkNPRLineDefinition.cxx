@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRLineDefinition.h"
 
+#include "nprArrayNames.h"
 #include "nprFieldAxes.h"
 #include "vtkNPRApparentRidges.h"
 #include "vtkNPRBoundaries.h"
@@ -307,6 +308,15 @@ std::string vtkNPRLineDefinition::GetTextParameter(const char* name) const
 {
   const Parameter* parameter = this->FindParameter(name);
   return parameter && parameter->Text ? *parameter->Text : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkNPRLineDefinition::NeedsDerivatives() const
+{
+  const std::vector<RequiredArray> arrays = this->GetRequiredArrays();
+  return std::any_of(arrays.begin(), arrays.end(),
+    [](const RequiredArray& array)
+    { return std::string(array.Name) == npr::names::CurvatureDerivatives; });
 }
 
 //------------------------------------------------------------------------------

@@ -137,6 +137,9 @@ public:
   {
     return {};
   }
+  /// Whether the lines follow from derivatives of curvature, so that there are none where the array
+  /// DerivativeDoubt says that these mean nothing. Default is whether these are required.
+  virtual bool NeedsDerivatives() const;
   /// The name of the cell array whose values the definition compares (see
   /// npr::LineSurface::GetRegions()); null for none.
   virtual const char* GetRequiredCellArray() const

@@ -73,7 +73,8 @@ void DropShapeArrays(vtkPolyData* surface)
   for (const char* name : { names::Normals, names::CurvatureTensor, names::PrincipalCurvature1,
          names::PrincipalCurvature2, names::PrincipalDirection1, names::PrincipalDirection2,
          names::MeanCurvature, names::GaussianCurvature, names::CurvatureDerivatives,
-         names::ShapeIndex, names::Curvedness, names::BorderPoints, names::UnknownCurvature })
+         names::DerivativeDoubt, names::ShapeIndex, names::Curvedness, names::BorderPoints,
+         names::UnknownCurvature })
   {
     points->RemoveArray(name);
   }

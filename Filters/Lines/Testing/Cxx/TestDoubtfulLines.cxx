@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines from derivatives of curvature end where these are in doubt, however they are defined and
+// looked for; other lines do not.
+#include "nprFilletBox.h"
+#include "nprLineTesting.h"
+
+#include "vtkNPRCurvatureTensor.h"
+#include "vtkNPRExpressionLines.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+using namespace nprtest;
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> AddCurvature(vtkPolyData* mesh)
+{
+  vtkNew<vtkNPRCurvatureTensor> tensor;
+  tensor->SetEstimatorToPerFace();
+  tensor->SetInputData(mesh);
+  tensor->Update();
+  return tensor->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> GetLines(vtkNPRFeatureLines* filter)
+{
+  filter->Update();
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  lines->DeepCopy(filter->GetOutput());
+  return lines;
+}
+
+bool AreSame(vtkPolyData* a, vtkPolyData* b)
+{
+  const std::vector<Chain> chains = GetChains(a);
+  const std::vector<Chain> others = GetChains(b);
+  bool same = chains.size() == others.size();
+  for (std::size_t i = 0; same && i < chains.size(); ++i)
+  {
+    same = chains[i].Points == others[i].Points && chains[i].Strength == others[i].Strength;
+  }
+  return same;
+}
+
+const std::vector<Vector> Eyes = { { 4.0, 3.0, 2.0 }, { -5.0, 1.0, 2.0 }, { 1.0, -5.0, -3.0 } };
+
+// All kinds that follow from derivatives, and a user's field without a test.
+void TestFilletBox(Checks& check)
+{
+  const auto box = AddCurvature(MakeFilletBox(0.1));
+  for (const char* kind : { "suggestive", "suggestive-highlights", "ridges", "valleys",
+         "apparent-ridges", "demarcating", "expression" })
+  {
+    vtkNew<vtkNPRFeatureLines> filter;
+    filter->SetInputData(box);
+    if (std::string(kind) == "expression")
+    {
+      vtkNew<vtkNPRExpressionLines> lines;
+      lines->SetField("dwkr");
+      filter->AddDefinition(lines);
+    }
+    else
+    {
+      filter->AddDefinition(kind);
+    }
+    std::size_t kept = 0;
+    for (const Vector& eye : Eyes)
+    {
+      filter->SetCamera(MakeCamera(eye, false));
+      filter->KeepDoubtfulOff();
+      check(GetChains(GetLines(filter)).empty(), std::string(kind) + " of a box with fillets");
+      filter->KeepDoubtfulOn();
+      kept += GetChains(GetLines(filter)).size();
+    }
+    check(kept > 0, std::string(kind) + " where doubtful lines are kept");
+  }
+  vtkNew<vtkNPRFeatureLines> contours;
+  contours->SetInputData(box);
+  contours->AddDefinition("contours");
+  contours->SetCamera(MakeCamera(Eyes[0], false));
+  check(!GetChains(GetLines(contours)).empty(), "contours of a box with fillets");
+}
+
+// Half of a torus in doubt, growing along x.
+vtkSmartPointer<vtkPolyData> MakeDoubtfulTorus()
+{
+  auto torus = Torus().Make(120, 60);
+  auto doubts = AddArray(torus, npr::names::DerivativeDoubt, 1);
+  for (vtkIdType i = 0; i < torus->GetNumberOfPoints(); ++i)
+  {
+    doubts->SetTuple1(i, torus->GetPoint(i)[0] + 1.0);
+  }
+  return torus;
+}
+
+void TestHalf(Checks& check)
+{
+  const auto torus = MakeDoubtfulTorus();
+  vtkNew<vtkNPRFeatureLines> filter;
+  filter->SetInputData(torus);
+  filter->AddDefinition("suggestive")->SetParameter("threshold", 0.3);
+  filter->SetLengthScale(1.0);
+  filter->SetCamera(MakeCamera({ 1.0, 5.0, 2.0 }, false));
+  const auto lines = GetLines(filter);
+  const auto chains = GetChains(lines);
+  check(!chains.empty(), "lines where there is no doubt");
+  CheckSound(chains, check);
+  for (const Chain& chain : chains)
+  {
+    for (std::size_t i = 0; i < chain.Points.size(); ++i)
+    {
+      const double doubt = chain.Points[i][0] + 1.0;
+      const double limit = std::max(0.0, (1.0 - doubt) / 0.2);
+      check(doubt < 1.0 + 1.0e-6, "no line in doubt", doubt);
+      check(chain.Strength[i] < limit + 1.0e-4 || doubt < 0.8 + 0.02, "lines fade out",
+        chain.Strength[i]);
+    }
+  }
+  filter->SetStrategy(vtkNPRFeatureLines::FULL_TRAVERSAL);
+  check(AreSame(lines, GetLines(filter)), "full traversal");
+
+  // As the built-in lines, so the expression that is said to be the same.
+  vtkNew<vtkNPRExpressionLines> expression;
+  expression->SetField("kr");
+  expression->SetTest("if(ndotv > 0 and sintheta > a, min((dwkr - 0.3) * sintheta / 2, "
+                      "(sintheta - a) / a, ndotv / 0.02), min((sintheta - a) / a, ndotv / 0.02))");
+  expression->SetConstants("a = 0.25881904510252074");
+  vtkNew<vtkNPRFeatureLines> defined;
+  defined->SetInputData(torus);
+  defined->AddDefinition(expression);
+  defined->SetLengthScale(1.0);
+  defined->SetCamera(filter->GetCamera());
+  check(AreSame(lines, GetLines(defined)), "the expression");
+
+  // Data that change, and lines that no view changes.
+  filter->KeepDoubtfulOn();
+  const auto all = GetLines(filter);
+  check(!AreSame(lines, all), "doubtful lines are kept");
+  filter->KeepDoubtfulOff();
+  torus->GetPointData()->RemoveArray(npr::names::DerivativeDoubt);
+  torus->Modified();
+  check(AreSame(all, GetLines(filter)), "without the array all is trusted");
+}
+}
+
+int TestDoubtfulLines(int, char*[])
+{
+  Checks check;
+  TestFilletBox(check);
+  TestHalf(check);
+  return check.GetResult();
+}
