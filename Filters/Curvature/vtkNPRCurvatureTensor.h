@@ -19,17 +19,19 @@
  * | CurvatureDerivatives | 4, 1/length^2 | P, Q, S, T: the derivatives of the first principal
  * curvature along the first and the second direction, then of the second one; all change sign when
  * the directions are turned over |
- * | DerivativeDoubt | 1 | how doubtful these derivatives are, in [0, 10]: from 1 on they mean
- * nothing, as mostly on the long, thin triangles of CAD programs (see nprDerivativeDoubt.h). Lines
- * from derivatives of curvature end there. Not without CurvatureDerivatives | | ShapeIndex | 1 |
- * cup -1, valley -0.5, saddle 0, ridge 0.5, cap 1 (Koenderink, van Doorn 1992); off by default | |
- * Curvedness | 1, 1/length | root mean square of the principal curvatures; off by default | |
- * PointArea | 1, length^2 | the point's share of the surface (mixed Voronoi area, Meyer et al.
+ * | DerivativeDoubt | 1 | how doubtful these derivatives are, 0 to 10, see nprDerivativeDoubt.h |
+ * | ShapeIndex | 1 | cup -1, valley -0.5, saddle 0, ridge 0.5, cap 1 (Koenderink, van Doorn 1992);
+ * off by default |
+ * | Curvedness | 1, 1/length | root mean square of the principal curvatures; off by default |
+ * | PointArea | 1, length^2 | the point's share of the surface (mixed Voronoi area, Meyer et al.
  * 2002); off by default |
  * | BorderPoints | 1 | 1 where the estimate is one-sided: at borders, at creases that the
  * preparation has split, and at edges with more than two triangles |
  * | UnknownCurvature | 1 | 1 where there is no estimate, and all curvatures are zero; a warning
  * counts them |
+ *
+ * From a DerivativeDoubt of 1 on the derivatives mean nothing, as mostly on the long, thin
+ * triangles of CAD programs, and suggestive contours end. It comes with CurvatureDerivatives only.
  *
  * The input's normals (the active ones, else the array "Normals") are used as they are; what is
  * missing or not finite is computed as vtkNPRSurfaceNormals does, or found by the estimator.

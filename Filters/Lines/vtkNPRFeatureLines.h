@@ -188,10 +188,11 @@ public:
   ///@}
 
   ///@{
-  /// Whether lines from derivatives of curvature (suggestive contours, ridges, expressions with
-  /// dwkr and others) are also where the input's point array DerivativeDoubt says that these mean
-  /// nothing, as on most meshes of CAD programs. Default is off: there lines fade out. Inputs
-  /// without the array, which vtkNPRCurvatureTensor makes, are trusted.
+  /// Whether lines that go by the size of derivatives of curvature (suggestive contours and
+  /// highlights, demarcating curves, expressions with dwkr or P; not ridges) are also where the
+  /// input's point array DerivativeDoubt says that these mean nothing, as on most meshes of CAD
+  /// programs. Default is off: there lines fade out. Inputs without the array, which
+  /// vtkNPRCurvatureTensor makes, are trusted.
   vtkSetMacro(KeepDoubtful, bool);
   vtkGetMacro(KeepDoubtful, bool);
   vtkBooleanMacro(KeepDoubtful, bool);

@@ -314,9 +314,10 @@ std::string vtkNPRLineDefinition::GetTextParameter(const char* name) const
 bool vtkNPRLineDefinition::NeedsDerivatives() const
 {
   const std::vector<RequiredArray> arrays = this->GetRequiredArrays();
-  return std::any_of(arrays.begin(), arrays.end(),
-    [](const RequiredArray& array)
-    { return std::string(array.Name) == npr::names::CurvatureDerivatives; });
+  return !this->IsMaximum() &&
+    std::any_of(arrays.begin(), arrays.end(),
+      [](const RequiredArray& array)
+      { return std::string(array.Name) == npr::names::CurvatureDerivatives; });
 }
 
 //------------------------------------------------------------------------------

@@ -137,8 +137,9 @@ public:
   {
     return {};
   }
-  /// Whether the lines follow from derivatives of curvature, so that there are none where the array
-  /// DerivativeDoubt says that these mean nothing. Default is whether these are required.
+  /// Whether the lines go by the size of derivatives of curvature, so that there are none where the
+  /// array DerivativeDoubt says that these mean nothing. Default is whether these are required, but
+  /// not to find a maximum: that of the curvature across a fillet shows on slivers, too.
   virtual bool NeedsDerivatives() const;
   /// The name of the cell array whose values the definition compares (see
   /// npr::LineSurface::GetRegions()); null for none.

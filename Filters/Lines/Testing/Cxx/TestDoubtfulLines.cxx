@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines from derivatives of curvature end where these are in doubt, however they are defined and
-// looked for; other lines do not.
+// Lines that go by derivatives of curvature end where these are in doubt, however they are defined
+// and looked for; other lines do not.
 #include "nprFilletBox.h"
 #include "nprLineTesting.h"
 
@@ -46,12 +46,11 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
 
 const std::vector<Vector> Eyes = { { 4.0, 3.0, 2.0 }, { -5.0, 1.0, 2.0 }, { 1.0, -5.0, -3.0 } };
 
-// All kinds that follow from derivatives, and a user's field without a test.
+// All kinds that go by the size of derivatives, and a user's field without a test.
 void TestFilletBox(Checks& check)
 {
   const auto box = AddCurvature(MakeFilletBox(0.1));
-  for (const char* kind : { "suggestive", "suggestive-highlights", "ridges", "valleys",
-         "apparent-ridges", "demarcating", "expression" })
+  for (const char* kind : { "suggestive", "suggestive-highlights", "demarcating", "expression" })
   {
     vtkNew<vtkNPRFeatureLines> filter;
     filter->SetInputData(box);
@@ -76,11 +75,18 @@ void TestFilletBox(Checks& check)
     }
     check(kept > 0, std::string(kind) + " where doubtful lines are kept");
   }
-  vtkNew<vtkNPRFeatureLines> contours;
-  contours->SetInputData(box);
-  contours->AddDefinition("contours");
-  contours->SetCamera(MakeCamera(Eyes[0], false));
-  check(!GetChains(GetLines(contours)).empty(), "contours of a box with fillets");
+  // Maxima of curvature, and what needs none.
+  for (const char* kind : { "ridges", "valleys", "apparent-ridges", "contours" })
+  {
+    vtkNew<vtkNPRFeatureLines> filter;
+    filter->SetInputData(box);
+    filter->AddDefinition(kind);
+    filter->SetCamera(MakeCamera(Eyes[0], false));
+    const auto lines = GetLines(filter);
+    check(!GetChains(lines).empty(), std::string(kind) + " of a box with fillets");
+    filter->KeepDoubtfulOn();
+    check(AreSame(lines, GetLines(filter)), std::string(kind) + " are beyond doubt");
+  }
 }
 
 // Half of a torus in doubt, growing along x.
