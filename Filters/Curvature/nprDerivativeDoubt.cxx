@@ -23,7 +23,7 @@ using Eigen::Vector4d;
 
 constexpr int ThinnessRounds = 3; // of averages over neighbours
 constexpr double ThinnessLimit = 4.2;
-constexpr double StepLimit = 15.0; // with the square of the thinness
+constexpr double StepLimit = 20.0; // with the square of the thinness
 constexpr double UnexplainedLimit = 0.35;
 constexpr double NoDoubt = 0.8; // below this what is unexplained is of no matter
 constexpr double LargestDoubt = 10.0;

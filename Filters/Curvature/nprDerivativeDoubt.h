@@ -31,15 +31,14 @@ inline constexpr int DoubtReach = 4;
  *   larger by so much. The doubt is thinness / 4.2, or more where steps are large.
  * - Step: by how much, in radians, the turn of the normals along one edge changes to that along the
  *   next, says the derivative C: |C(edge)| |edge|, the mean over the triangles at the point. With
- * it the doubt is thinness^2 step / 15: good triangles (thinness 1.9) come into doubt at more than
- *   half a turn, those of thinness 3 at a right angle.
+ * it the doubt is thinness^2 step / 20: triangles of thinness 2.5 come into doubt at half a turn.
  * - What C leaves unexplained: the difference between the second fundamental forms at the ends of
  *   edges and C(edge), over the size of both. Where this is less than 0.35 of it the doubt shrinks
  *   with it, so that regular meshes are trusted, however thin their triangles are.
  *
  * The idea and the limits are our own. The limits stand in the gap between scans, isosurfaces and
  * tori on the one side (where they take away at most some 1 % of the length of lines) and CAD
- * models with fillets on the other (85 to 100 % of suggestive contours).
+ * models with fillets on the other (84 to 100 % of suggestive contours).
  *
  * @param mesh with its incidence built
  * @param normals unit normals
