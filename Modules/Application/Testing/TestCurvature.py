@@ -27,6 +27,7 @@ ARRAYS = {
     "MeanCurvature": 1,
     "GaussianCurvature": 1,
     "CurvatureDerivatives": 4,
+    "DerivativeDoubt": 1,
     "ShapeIndex": 1,
     "Curvedness": 1,
     "PointArea": 1,
