@@ -83,7 +83,7 @@ public:
       }
       return;
     }
-    const double steps = std::ceil(std::hypot(b.X - a.X, b.Y - a.Y) / TileSize);
+    const double steps = std::ceil(std::max(std::abs(b.X - a.X), std::abs(b.Y - a.Y)) / TileSize);
     if (!(steps <= LongestWalk))
     {
       this->MarkBounds(a, b);

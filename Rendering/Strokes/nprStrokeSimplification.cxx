@@ -60,6 +60,7 @@ public:
     }
     this->Depth = this->TakeDepth(this->Way);
     this->Size2 = Dot(this->Way, this->Way);
+    this->PerSize2 = this->Size2 > 0.0f ? 1.0f / this->Size2 : 0.0f;
   }
 
   bool IsTooLong() const
@@ -80,7 +81,7 @@ public:
     }
     const float depth = this->TakeDepth(away);
     const float along = Dot(away, this->Way);
-    const float t = this->Size2 > 0.0f ? std::min(std::max(along / this->Size2, 0.0f), 1.0f) : 0.0f;
+    const float t = std::min(std::max(along * this->PerSize2, 0.0f), 1.0f);
     for (int c = 0; c < 3; ++c)
     {
       away[c] -= t * this->Way[c];
@@ -138,6 +139,7 @@ private:
   float Way[3] = { 0.0f, 0.0f, 0.0f };   // across it
   float Depth = 0.0f;                    // along it
   float Size2 = 0.0f;
+  float PerSize2 = 0.0f; // 1 / Size2
 };
 
 bool CanLeaveOut(SegmentTest& segment, std::size_t start, std::size_t end)

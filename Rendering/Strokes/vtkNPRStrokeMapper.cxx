@@ -117,7 +117,8 @@ void vtkNPRStrokeMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   vtkPolyData* input = this->GetInput();
-  if (!input || this->Width <= 0.0 || actor->GetProperty()->GetOpacity() <= 0.0)
+  if (!input || !input->GetPoints() || this->Width <= 0.0 ||
+    actor->GetProperty()->GetOpacity() <= 0.0)
   {
     return;
   }
@@ -166,8 +167,8 @@ npr::StrokeTolerance vtkNPRStrokeMapper::GetTolerance(vtkRenderer* renderer, vtk
   {
     pixels *= InteractiveError;
   }
-  const double pixel =
-    npr::FindSmallestPixel(renderer, actor->GetMatrix(), this->GetInput()->GetBounds());
+  const double pixel = npr::FindSmallestPixel(
+    renderer, actor->GetMatrix(), this->GetInput()->GetPoints()->GetBounds());
   const double width = this->WidthUnit == WORLD && pixel > 0.0 ? this->Width / pixel : this->Width;
   npr::StrokeTolerance tolerance;
   tolerance.Length = static_cast<float>(pixels * pixel);
