@@ -193,16 +193,23 @@ void VisitBends(const Surface& surface, TriangleMesh::Index halfEdge, const Visi
   }
 }
 
+/// What is on the two sides of an edge.
+struct BendsBeside
+{
+  std::array<double, 2> Largest; ///< angles between triangles, in radians, on each side
+  double Nearest;                ///< how far the nearest bent edge is on any of them
+};
+
 /**
- * The largest angles, in radians, between the triangles of the next edges across, on the one side
- * of an edge and on the other.
+ * The largest angles between the triangles of the next edges across, on the one side of an edge and
+ * on the other.
  *
  * Looked at are the edges three times as far as the nearest that is bent: so the far ends of flat
  * faces do not matter. What is nearer than the least distance does not tell how far to look, since
  * it may be a sliver's.
  */
 template<typename Surface>
-std::array<double, 2> GetBendsBeside(const Surface& surface, TriangleMesh::Index first,
+BendsBeside GetBendsBeside(const Surface& surface, TriangleMesh::Index first,
   TriangleMesh::Index second, double leastDistance)
 {
   constexpr double leastBend = 0.0175; // one degree: less is flat
@@ -235,24 +242,26 @@ std::array<double, 2> GetBendsBeside(const Surface& surface, TriangleMesh::Index
         return true;
       });
   }
-  return largest;
+  return { largest, nearest };
 }
 
 /// Whether an edge that is bent by an angle stands out from those beside it. In a round face that
 /// has been made triangles of, all edges across are bent about alike, however coarse it is, and
 /// half as much where it goes over into a flat one; where it ends in a fold, the fold is bent more.
-inline bool StandsOut(double angle, const std::array<double, 2>& beside)
+inline bool StandsOut(double angle, const BendsBeside& beside)
 {
   constexpr double ratio = 2.0;
-  return ratio * (beside[0] + beside[1]) < angle;
+  return ratio * (beside.Largest[0] + beside.Largest[1]) < angle;
 }
 
-/// Whether an edge may be between two facets of a round face: those on both sides are bent alike.
-inline bool IsOfRound(double angle, const std::array<double, 2>& beside)
+/// Whether an edge may be between two facets of a round face: those on both sides are bent alike,
+/// and the facets are small beside the surface. Those of a nut or a bar can be seen.
+inline bool IsOfRound(double angle, const BendsBeside& beside, double lengthScale)
 {
+  constexpr double widest = 0.05; // length scales
   constexpr double ratio = 0.75;
-  const auto [less, more] = std::minmax({ beside[0], beside[1] });
-  return less > ratio * angle && angle > ratio * more;
+  const auto [less, more] = std::minmax({ beside.Largest[0], beside.Largest[1] });
+  return beside.Nearest < widest * lengthScale && less > ratio * angle && angle > ratio * more;
 }
 }
 

@@ -96,9 +96,10 @@ void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::Li
         if (distance > 0.0 && this->Angle < 180.0 &&
           (accepted ? angle < npr::GetRoundAngle(sharp) : isSeam && least > soft))
         {
-          const std::array<double, 2> beside =
+          const npr::BendsBeside beside =
             npr::GetBendsBeside(sides, side[0], side[1], WiderView * distance);
-          accepted = accepted ? !npr::IsOfRound(angle, beside) : npr::StandsOut(angle, beside);
+          accepted = accepted ? !npr::IsOfRound(angle, beside, surface.GetLengthScale())
+                              : npr::StandsOut(angle, beside);
         }
       }
     }

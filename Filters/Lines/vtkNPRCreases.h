@@ -21,8 +21,8 @@
  * along an edge, half of the angle suffices if the edge stands out from those beside it: it is bent
  * more than twice as much as the next edges across on both sides together. The other way round,
  * edges that are bent as those on both their sides (to 3/4) are facets of a round face, such as a
- * hole with eight of them, and no creases below 1.3 times the angle and
- * 50 degrees.
+ * small hole with eight of them, and no creases below 1.3 times the angle and 50 degrees; unless
+ * the facets are wider than 0.05 length scales, as those of a nut or a bar.
  *
  * @sa vtkNPRFeatureLines vtkNPRBoundaries vtkNPRNonManifoldEdges
  */

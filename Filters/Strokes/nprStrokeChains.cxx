@@ -24,10 +24,15 @@ constexpr double LongestReach = 6.0;
 /// The cosine of a turn that can not be seen: 5 degrees.
 constexpr double Straight = 0.9962;
 
+/// At the ends of spans of one length, which turn alike, the distance of a spline from the middle
+/// of a span, as a share of that length times the sine of the turn.
+constexpr double ShareOfBulge = 0.125;
+
 /// Whether a chain from a over b to c turns by more than an angle. Where a spline would overshoot,
 /// half of the angle suffices, and so does no turn at all: there, the parts of a spline meet
 /// smoothly even so.
-bool IsCorner(const Vector3& a, const Vector3& b, const Vector3& c, double cosine)
+bool IsCorner(
+  const Vector3& a, const Vector3& b, const Vector3& c, double cosine, double maximumBulge)
 {
   Vector3 in, out;
   vtkMath::Subtract(b.data(), a.data(), in.data());
@@ -37,6 +42,12 @@ bool IsCorner(const Vector3& a, const Vector3& b, const Vector3& c, double cosin
   const double lengths = inLength * outLength;
   const double turn = lengths > 0 ? vtkMath::Dot(in.data(), out.data()) / lengths : 1.0;
   if (turn < cosine)
+  {
+    return true;
+  }
+  if (maximumBulge > 0.0 &&
+    ShareOfBulge * std::max(inLength, outLength) * std::sqrt(std::max(1.0 - turn * turn, 0.0)) >
+      maximumBulge)
   {
     return true;
   }
@@ -95,14 +106,15 @@ double GetCornerCosine(double angle)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SplinePart> SplitAtCorners(const StrokeChain& chain, double cornerCosine)
+std::vector<SplinePart> SplitAtCorners(
+  const StrokeChain& chain, double cornerCosine, double maximumBulge)
 {
   const std::size_t n = chain.Points.size();
   std::vector<std::size_t> corners;
   for (std::size_t i = chain.Closed ? 0 : 1; i < (chain.Closed ? n : n - 1); ++i)
   {
     if (IsCorner(chain.Points[i > 0 ? i - 1 : n - 1].Position, chain.Points[i].Position,
-          chain.Points[i + 1 < n ? i + 1 : 0].Position, cornerCosine))
+          chain.Points[i + 1 < n ? i + 1 : 0].Position, cornerCosine, maximumBulge))
     {
       corners.push_back(i);
     }

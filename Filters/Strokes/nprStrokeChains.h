@@ -122,8 +122,10 @@ VTKNPRFILTERSSTROKES_EXPORT double GetCornerCosine(double angle);
 /// The parts of a chain between points where it turns by more than an angle; beside a span so long
 /// that a spline would overshoot the other, by more than half of it, or not at all. A closed chain
 /// with corners is opened at the first one; without, it is one closed part.
+/// A point is a corner, too, where a spline would leave the spans beside it by more than a
+/// distance; 0: however far.
 VTKNPRFILTERSSTROKES_EXPORT std::vector<SplinePart> SplitAtCorners(
-  const StrokeChain& chain, double cornerCosine);
+  const StrokeChain& chain, double cornerCosine, double maximumBulge = 0.0);
 }
 
 #endif

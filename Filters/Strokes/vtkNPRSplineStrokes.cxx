@@ -85,6 +85,7 @@ public:
   double SegmentLength;
   double ChordError;
   double CornerCosine;
+  double MaximumBulge;
   int SmoothingIterations;
   double MaximumShift;
   double MaximumDeviation;
@@ -121,7 +122,8 @@ private:
       samples.reserve(chain.Points.size() + 3); // what dense chains need
     }
     bool withFirst = true;
-    for (const npr::SplinePart& part : npr::SplitAtCorners(chain, this->CornerCosine))
+    for (const npr::SplinePart& part :
+      npr::SplitAtCorners(chain, this->CornerCosine, this->MaximumBulge))
     {
       const std::ptrdiff_t end = part.GetEndSpan(this->Kind);
       npr::SpanPoints points(part, part.GetFirstSpan(this->Kind));
@@ -178,6 +180,7 @@ int vtkNPRSplineStrokes::RequestData(
   splines.SegmentLength = this->MaximumSegmentLength;
   splines.ChordError = this->MaximumChordError;
   splines.CornerCosine = npr::GetCornerCosine(this->CornerAngle);
+  splines.MaximumBulge = this->SplineType == CATMULL_ROM ? this->MaximumBulge : 0.0;
   splines.SmoothingIterations = this->SmoothingIterations;
   splines.MaximumShift = this->MaximumShift;
   splines.MaximumDeviation = this->MaximumDeviation;
@@ -214,6 +217,7 @@ void vtkNPRSplineStrokes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumSegmentLength: " << this->MaximumSegmentLength << "\n";
   os << indent << "MaximumChordError: " << this->MaximumChordError << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "MaximumBulge: " << this->MaximumBulge << "\n";
   os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
   os << indent << "MaximumShift: " << this->MaximumShift << "\n";
   os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";

@@ -109,6 +109,17 @@ public:
 
   ///@{
   /**
+   * If positive, how far CATMULL_ROM may leave the chain (unit: length), estimated from the turn
+   * and the spans at each point: where it would leave it farther, the point is a corner. For lines
+   * whose points lie dense where they bend, as on refined surfaces, so that what is long and turns
+   * belongs to a body with edges. Default: 0, off.
+   */
+  vtkSetClampMacro(MaximumBulge, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumBulge, double);
+  ///@}
+
+  ///@{
+  /**
    * How often each inner point is first moved to (a + 2 b + c) / 4 of itself and its neighbours:
    * takes the zig-zag out of chains. It rounds corners, too. Default: 0.
    */
@@ -151,6 +162,7 @@ protected:
   double MaximumSegmentLength = 0.0;
   double MaximumChordError = 0.0;
   double CornerAngle = 60.0;
+  double MaximumBulge = 0.0;
   int SmoothingIterations = 0;
   double MaximumShift = 0.0;
   double MaximumDeviation = 0.0;

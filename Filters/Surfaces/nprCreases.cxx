@@ -223,7 +223,8 @@ EdgeFlags FindCreases(const TriangleMesh& mesh, double angle)
   const double soft = SoftCreaseShare * sharp;
   const auto sharpCosine = static_cast<float>(std::cos(sharp));
   const auto softCosine = static_cast<float>(std::cos(soft));
-  const double leastDetail = LeastDetail * mesh.ComputeLengthScale();
+  const double lengthScale = mesh.ComputeLengthScale();
+  const double leastDetail = LeastDetail * lengthScale;
   const MeshSides sides{ mesh };
   const Index numberOfTriangles = mesh.GetNumberOfTriangles();
   std::vector<Vector> normals(numberOfTriangles);
@@ -275,7 +276,7 @@ EdgeFlags FindCreases(const TriangleMesh& mesh, double angle)
           if (isSharp(sharpCosine))
           {
             creases[t][e] = bend < GetRoundAngle(sharp) &&
-                IsOfRound(bend, GetBendsBeside(sides, first, second, leastDetail))
+                IsOfRound(bend, GetBendsBeside(sides, first, second, leastDetail), lengthScale)
               ? Smooth
               : Sharp;
           }

@@ -18,6 +18,7 @@ namespace npr
 namespace
 {
 constexpr double MaximumShift = 1.5;     // thousandths of the image's shorter side
+constexpr double MaximumBulge = 1.5;     // the same
 constexpr double VisibilityRadius = 2.0; // pixels, of strokes that stay in their place
 }
 
@@ -121,9 +122,11 @@ void LineStrokes::SetScale(
   this->PartFilters.SetPixel(scale.WorldPerPixel);
   // What leaves its surface would show through it.
   this->PartFilters.SetMaximumShift(MaximumShift * pixels * scale.WorldPerPixel);
+  this->PartFilters.SetMaximumBulge(MaximumBulge * pixels * scale.WorldPerPixel);
   if (resample)
   {
     this->Filters.SetPixel(modelPixel);
+    this->Filters.SetMaximumBulge(MaximumBulge * pixels * modelPixel);
     this->Selection->SetMinimumLength(this->Style.MinimumLength * pixels * modelPixel);
   }
 }

@@ -118,6 +118,12 @@ void StrokeFilters::SetPixel(double size)
 }
 
 //------------------------------------------------------------------------------
+void StrokeFilters::SetMaximumBulge(double length)
+{
+  this->Splines->SetMaximumBulge(length);
+}
+
+//------------------------------------------------------------------------------
 void StrokeFilters::SetMaximumShift(double length)
 {
   this->Splines->SetMaximumShift(length);

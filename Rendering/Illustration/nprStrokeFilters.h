@@ -39,6 +39,8 @@ public:
   void SetScale(const PageScale& scale, vtkCamera* camera);
   /// How finely splines are sampled: for pixels of this size, in the coordinates of the chains.
   void SetPixel(double size);
+  /// How far splines may leave the chains before these have corners, in their coordinates.
+  void SetMaximumBulge(double length);
   /// How far smoothing may move the chains' points, in their coordinates.
   void SetMaximumShift(double length);
 

@@ -332,6 +332,40 @@ void TestCornersSurvive()
   CHECK(std::abs(arc->GetRange()[1] - 8) < 1e-5);
 }
 
+/// That what turns little stays what it is where splines would leave it far, and that round lines
+/// of many points stay round.
+void TestBulge()
+{
+  /// How far a curve goes beyond the sides of a regular polygon of radius 1.
+  const auto getBulge = [](const Points& curve, int sides)
+  {
+    const double step = 2 * vtkMath::Pi() / sides;
+    double bulge = -1.0;
+    for (const npr::Vector3& p : curve)
+    {
+      for (int i = 0; i < sides; ++i)
+      {
+        const double angle = (i + 0.5) * step;
+        bulge =
+          std::max(bulge, p[0] * std::cos(angle) + p[1] * std::sin(angle) - std::cos(0.5 * step));
+      }
+    }
+    return bulge;
+  };
+  for (const int sides : { 7, 12, 40 })
+  {
+    const Points polygon = Circle(sides, 1.0);
+    vtkNew<vtkNPRSplineStrokes> filter;
+    const double free = getBulge(Run(filter, polygon, true), sides);
+    // The sagitta of an arc, and nothing where it is more than allowed.
+    CHECK(std::abs(free - (1.0 - std::cos(vtkMath::Pi() / sides))) < 0.2 * free);
+    filter->SetMaximumBulge(0.5 * free);
+    CHECK(getBulge(Run(filter, polygon, true), sides) < 1e-12);
+    filter->SetMaximumBulge(1.5 * free);
+    CHECK(std::abs(getBulge(Run(filter, polygon, true), sides) - free) < 1e-12);
+  }
+}
+
 void TestResampling()
 {
   vtkNew<vtkNPRSplineStrokes> filter;
@@ -597,6 +631,7 @@ int TestSplineStrokes(int, char*[])
   TestBSplineStaysInside();
   TestClosedHasNoSeam();
   TestCornersSurvive();
+  TestBulge();
   TestResampling();
   TestSmoothing();
   TestSimplification();
