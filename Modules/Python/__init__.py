@@ -12,11 +12,14 @@ All classes of vtkNPR stand here, next to a few functions; two need no display::
     vtknpr.render(cone.GetOutput(), "cone.png", style="technical")
 """
 
+import operator as _operator
 import os as _os
 
 # VTK's own modules must be there before ours, whose classes derive from theirs.
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonDataModel import vtkPolyData as _vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm as _vtkAlgorithm
 from vtkmodules.vtkIOImage import vtkPNGWriter as _vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor as _vtkActor,
@@ -44,7 +47,9 @@ from .vtkNPRRenderingIllustration import (
     vtkNPRViewpoint,
 )
 from .vtkNPRRenderingOffscreen import vtkNPROffscreen
-from .define import Quantities, define_lines  # noqa: F401
+from .define import Quantities, _raising_mistakes, define_lines  # noqa: F401
+
+_LARGEST_SIDE = 16384  # of an image, in pixels
 
 
 def illustrate(renderer, style="technical", lines=None):
@@ -52,27 +57,55 @@ def illustrate(renderer, style="technical", lines=None):
 
     The renderer should be in a window that has its size, and its camera should be set. `style` is
     the name of a built-in style or the path of a style file, `lines` the kinds of lines to draw
-    instead of the style's, also those of define_lines(). Returns the vtkNPRIllustration; keep it as
-    long as the illustration is to be seen. Raises ValueError for a style that is not valid.
+    instead of the style's, also those of define_lines(): names, or the name of one. Returns the
+    vtkNPRIllustration; keep it as long as the illustration is to be seen. Raises ValueError for a
+    style that is not valid.
     """
+    if isinstance(lines, str):
+        lines = [lines]
     document = vtkNPRIllustrationStyle()
     if not document.Load(_os.fspath(style)) or not (lines is None or document.SelectLines(lines)):
         raise ValueError(document.GetErrorMessage())
     illustration = vtkNPRIllustration()
     illustration.SetRenderer(renderer)
     illustration.SetStyle(document)
-    if not illustration.Apply():
-        raise ValueError("there is no renderer to illustrate")
+    with _raising_mistakes():
+        if not illustration.Apply():
+            raise ValueError("there is no renderer to illustrate")
     return illustration
 
 
+def _get_surface(surface):
+    """The vtkPolyData that is given, or that the last filter of a pipeline makes."""
+    given = surface
+    if isinstance(given, _vtkAlgorithm) and given.GetNumberOfOutputPorts() > 0:
+        given.Update()
+        surface = given.GetOutputDataObject(0)
+    if not isinstance(surface, _vtkPolyData):
+        raise TypeError(f"the surface must be a vtkPolyData, or a source or filter that makes one, not {type(given).__name__}")
+    return surface
+
+
+def _check_size(size):
+    try:
+        width, height = (_operator.index(side) for side in size)
+    except (TypeError, ValueError):
+        width = height = 0
+    if not (1 <= width <= _LARGEST_SIDE and 1 <= height <= _LARGEST_SIDE):
+        raise ValueError(f"size {size!r}: give (width, height) in pixels, each from 1 to {_LARGEST_SIDE}")
+    return width, height
+
+
 def render(surface, path, style="technical", size=(1600, 1200), view="three-quarter", lines=None):
-    """Draw a vtkPolyData into a PNG file, without a display.
+    """Draw a vtkPolyData, or what a source or filter makes, into a PNG file, without a display.
 
     `view` is a name that vtkNPRViewpoint knows or (azimuth, elevation) in degrees; `size` is
-    (width, height) in pixels, `lines` as for illustrate(). Raises ValueError for what is not valid and OSError when the file
-    can not be written, RuntimeError where nothing can be drawn with.
+    (width, height) in pixels, `lines` as for illustrate(). Raises TypeError for a surface of another
+    kind, ValueError for what is not valid, OSError when the file can not be written, RuntimeError
+    where nothing can be drawn with, and what the functions of define_lines() raise.
     """
+    surface = _get_surface(surface)
+    size = _check_size(size)
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
         raise ValueError("the surface has no polygons, so there is nothing to draw")
     path = _os.fspath(path)
@@ -102,7 +135,8 @@ def render(surface, path, style="technical", size=(1600, 1200), view="three-quar
         raise ValueError(f"unknown view {view!r}; the views are {', '.join(vtkNPRViewpoint.GetViewNames())}")
     viewpoint.Apply(renderer)
     illustration = illustrate(renderer, style, lines)
-    window.Render()
+    with _raising_mistakes():
+        window.Render()
 
     grab = _vtkWindowToImageFilter()
     grab.SetInput(window)

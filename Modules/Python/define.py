@@ -2,12 +2,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lines that users define, as functions over numpy arrays or as formulas."""
 
+from contextlib import contextmanager as _contextmanager
+
 import numpy as _numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk as _numpy_to_vtk, vtk_to_numpy as _vtk_to_numpy
 
 from .vtkNPRFiltersLines import vtkNPRCallbackLines, vtkNPRExpressionLines, vtkNPRLineDefinition
 
 _VECTORS = ("e1", "e2", "n", "v", "w", "p")
+
+# What functions have raised, while a function of the package keeps it; else None.
+_mistakes = None
+
+
+@_contextmanager
+def _raising_mistakes():
+    """Raise, at the end, the first exception of functions of define_lines() that ran meanwhile.
+
+    An exception can not pass through VTK, which would print and forget it.
+    """
+    global _mistakes
+    before, _mistakes = _mistakes, []
+    try:
+        yield
+        if _mistakes:
+            raise _mistakes[0]
+    finally:
+        _mistakes = before
 
 
 class Quantities:
@@ -56,8 +77,11 @@ class Quantities:
             raise AttributeError(f"no quantity {name!r} here; there are: {known}") from None
 
 
-def _to_array(values, count):
-    values = _numpy.broadcast_to(_numpy.asarray(values, dtype=float), (count,))
+def _to_array(what, values, count):
+    values = _numpy.asarray(values, dtype=float)
+    if values.shape not in ((), (1,), (count,)):
+        raise ValueError(f"the {what} must be one number for each of {count} points, but its shape is {values.shape}")
+    values = _numpy.broadcast_to(values, (count,))
     return _numpy_to_vtk(_numpy.ascontiguousarray(values), deep=True)
 
 
@@ -76,8 +100,15 @@ def define_lines(name, field, test=None, view_dependent=True, **parameters):
     Returns the definition, for vtkNPRFeatureLines.AddDefinition(). By their name the lines are
     extracted, chained, faded, drawn and exported as built-in ones: `render(..., lines=["contours",
     name])`, `AddDefinition(name)`, or a style's `"type": name`. Raises ValueError for what is wrong.
+    What the functions raise, vtknpr.render() and vtknpr.illustrate() raise; elsewhere VTK prints it.
     """
-    if isinstance(field, str):
+    is_formula = isinstance(field, str)
+    for what, given in (("field", field), ("test", field if test is None else test)):
+        if not (isinstance(given, str) if is_formula else callable(given)):
+            raise ValueError(
+                f"the {what} of the lines {name!r} is {given!r}; field and test must be both functions or both formulas"
+            )
+    if is_formula:
         lines = _make_formulas(name, field, test or "", **parameters)
     elif parameters:
         raise TypeError(f"functions take no {', '.join(parameters)}")
@@ -88,9 +119,16 @@ def define_lines(name, field, test=None, view_dependent=True, **parameters):
 
         def evaluate(caller, event):
             quantities = Quantities(caller)
-            if test is not None:
-                caller.SetTest(_to_array(test(quantities), len(quantities)))
-            caller.SetField(_to_array(field(quantities), len(quantities)))
+            count = len(quantities)
+            try:
+                if test is not None:
+                    caller.SetTest(_to_array(f"test of the lines {name!r}", test(quantities), count))
+                caller.SetField(_to_array(f"field of the lines {name!r}", field(quantities), count))
+            except Exception as mistake:
+                if _mistakes is None:
+                    raise
+                _mistakes.append(mistake)
+                caller.SetField(_to_array("field", 1.0, count))  # nowhere 0: no lines
 
         lines.AddObserver("UpdateDataEvent", evaluate)
     if not vtkNPRLineDefinition.AddKind(lines):

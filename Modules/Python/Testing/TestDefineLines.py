@@ -159,11 +159,40 @@ class TestDefineLines(unittest.TestCase):
             {"name": "mine", "field": "kr +"},
             {"name": "mine", "field": "kr", "test": "1 < kr < 2"},
             {"name": "mine", "field": "kr", "constants": {"K": 1}},
+            {"name": "mine", "field": 3},
+            {"name": "mine", "field": None},
+            {"name": "mine", "field": lambda q: q.kr, "test": 3},
+            {"name": "mine", "field": lambda q: q.kr, "test": "K"},
+            {"name": "mine", "field": "kr", "test": lambda q: q.K},
         ):
             with self.subTest(words=words), self.assertRaises(ValueError):
                 vtknpr.define_lines(**words)
         with self.assertRaises(TypeError):
             vtknpr.define_lines("mine", lambda q: q.kr, fade=2)
+
+    def test_render_raises_what_functions_raise(self):
+        source = self.preparation.GetInputAlgorithm()
+        self.addCleanup(vtknpr.vtkNPRLineDefinition.RemoveKind, "mine")
+        good = lambda q: q.py
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "image.png")
+            for error, said, field, test in (
+                (ZeroDivisionError, "division", lambda q: 1 / 0, None),
+                (ZeroDivisionError, "division", good, lambda q: 1 / 0),
+                (ValueError, "'mine'.*one number for each", lambda q: q.py[:-1], None),
+                (ValueError, "'mine'.*one number for each", lambda q: q.p, None),
+                (ValueError, "'mine'.*one number for each", good, lambda q: q.py[:-1]),
+                (AttributeError, "'krr'", lambda q: q.krr, None),
+                (KeyError, "no such array", lambda q: q["no such array"], None),
+            ):
+                vtknpr.define_lines("mine", field, test)
+                with self.subTest(said=said), self.assertRaisesRegex(error, said):
+                    vtknpr.render(source, path, size=(80, 60), lines=["mine"])
+                self.assertFalse(os.path.exists(path))
+            # Nothing is left of it for the next picture.
+            vtknpr.define_lines("mine", good)
+            vtknpr.render(source, path, size=(80, 60), lines=["mine"])
+            self.assertTrue(os.path.exists(path))
 
     def test_mistakes_in_functions(self):
         """No lines and an error, but no crash."""

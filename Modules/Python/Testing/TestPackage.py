@@ -10,6 +10,7 @@ import vtknpr
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkCamera
 
@@ -78,6 +79,15 @@ class TestPackage(unittest.TestCase):
         self.assertTrue(300 < dark < 3000, dark)
         self.assertEqual(image[80, 100].min(), 255)
 
+    def test_render_takes_sources_and_one_kind(self):
+        sphere = make_sphere()
+        images = []
+        for lines in ("contours", ["contours"]):
+            vtknpr.render(sphere, self.image, style="ink", size=(200, 160), lines=lines)
+            images.append(read_image(self.image))
+        numpy.testing.assert_array_equal(*images)
+        self.assertGreater((images[0].max(axis=2) < 80).sum(), 300)
+
     def test_render_refuses(self):
         cylinder = vtkCylinderSource()
         cylinder.Update()
@@ -86,9 +96,20 @@ class TestPackage(unittest.TestCase):
             {"style": "nonsense"},
             {"view": "sideways"},
             {"surface": vtkPolyData()},
+            {"lines": "scribbles"},
+            {"size": (0, 0)},
+            {"size": (100, -1)},
+            {"size": (100, 20000)},
+            {"size": (100,)},
+            {"size": (100.5, 100)},
+            {"size": 100},
         ):
             with self.subTest(words=words), self.assertRaises(ValueError):
                 vtknpr.render(**{"surface": cylinder.GetOutput(), "path": self.image, **words})
+        for surface in (None, "model.ply", vtkRTAnalyticSource(), vtkPNGReader):
+            with self.subTest(surface=surface), self.assertRaisesRegex(TypeError, "vtkPolyData"):
+                vtknpr.render(surface, self.image)
+        self.assertFalse(os.path.exists(self.image))
         with self.assertRaises(OSError):
             vtknpr.render(cylinder.GetOutput(), "/no/such/folder/image.png", size=(32, 32))
 
