@@ -21,20 +21,40 @@
 
 namespace
 {
-// The names of the arrays of numbers, for a message.
+// Whether filters of ours made the array for lines, so that no user would name it.
+bool IsOurs(const std::string& name)
+{
+  using namespace npr::names;
+  const auto ours = { WeldedPointIds, ChordError, CurvatureTensor, PrincipalCurvature1,
+    PrincipalCurvature2, PrincipalDirection1, PrincipalDirection2, CurvatureDerivatives,
+    DerivativeDoubt, BorderPoints, UnknownCurvature };
+  return name.rfind(ScaleNormalsPrefix, 0) == 0 ||
+    std::find(ours.begin(), ours.end(), name) != ours.end();
+}
+
+// The names of the arrays of numbers that a user may mean, for a message.
 std::string DescribeArrays(vtkDataSetAttributes* attributes, const std::string& kind)
 {
   std::string names;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = attributes->GetArray(i);
-    if (array && array->GetName())
+    if (array && array->GetName() && !IsOurs(array->GetName()))
     {
       names += (names.empty() ? "" : ", ") + std::string(array->GetName());
     }
   }
-  return names.empty() ? "it has no " + kind + " arrays of numbers."
+  return names.empty() ? "the surface brings no " + kind + " arrays of numbers."
                        : "its " + kind + " arrays are: " + names + ".";
+}
+
+// How to name another array, of lines that have a parameter for it.
+std::string ExplainArray(const vtkNPRLineDefinition& definition)
+{
+  return definition.GetParameterSize("array") == 0
+    ? "; name one by their parameter array (npr: --set " + std::string(definition.GetName()) +
+      ".array=NAME)"
+    : std::string();
 }
 
 std::string Quote(const std::string& kind, const std::string& name)
@@ -44,7 +64,7 @@ std::string Quote(const std::string& kind, const std::string& name)
 
 // Empty, or what a user of these lines or this quantity is to know of an array that is missing.
 std::string LoadArrays(npr::LineSurface& surface, vtkPolyData* input, const std::string& user,
-  const std::vector<vtkNPRLineDefinition::RequiredArray>& arrays)
+  const std::vector<vtkNPRLineDefinition::RequiredArray>& arrays, const std::string& hint = {})
 {
   for (const auto& required : arrays)
   {
@@ -55,7 +75,8 @@ std::string LoadArrays(npr::LineSurface& surface, vtkPolyData* input, const std:
     const std::string name = required.Name;
     if (!required.Maker)
     {
-      return user + ": a point array is needed, but the input has none named \"" + name + "\"; " +
+      return user + ": a point array is needed" +
+        (name.empty() ? "" : ", but the input has none named \"" + name + "\"") + hint + "; " +
         DescribeArrays(input->GetPointData(), "point");
     }
     return user + ": the input has no point array \"" + name + "\" with " +
@@ -83,8 +104,8 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
   {
     const vtkNPRLineDefinition& definition = *entry.Definition;
     entry.Definition->BindInput(input);
-    const std::string missing = LoadArrays(
-      surface, input, Quote("The lines", definition.GetName()), definition.GetRequiredArrays());
+    const std::string missing = LoadArrays(surface, input, Quote("The lines", definition.GetName()),
+      definition.GetRequiredArrays(), ExplainArray(definition));
     if (!missing.empty())
     {
       vtkErrorMacro(<< missing);
@@ -95,7 +116,8 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
     if (regions && !surface.LoadRegions(input, regions))
     {
       vtkErrorMacro("The lines \"" << definition.GetName() << "\" need the cell array \"" << regions
-                                   << "\", which the input does not have. Name another one; "
+                                   << "\", which the input does not have"
+                                   << ExplainArray(definition) << "; "
                                    << DescribeArrays(input->GetCellData(), "cell"));
       internal.Surface.reset();
       return false;

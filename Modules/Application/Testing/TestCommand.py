@@ -263,7 +263,7 @@ class TestCommand(CommandTest):
                     self.assertAlmostEqual(a, b, 5)
         for code, quantities, *said in (
             (1, "K,Strength", "--quantities", '"Strength"'),
-            (2, "Heat", '"Heat"', "point arrays are"),
+            (2, "Heat", '"Heat"', "no point arrays"),
         ):
             with self.subTest(quantities=quantities):
                 result = run("lines", self.model, "-o", path, "--quantities", quantities)
