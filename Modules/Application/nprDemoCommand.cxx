@@ -79,14 +79,29 @@ std::string AddDrawing(
     "DRAWING.svg --style ink --hidden dashed");
 }
 
+void MakeFolder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(folder, ignored))
+  {
+    return;
+  }
+  throw CommandError(OutputError,
+    "demo: " +
+      (std::filesystem::exists(folder, ignored) ? folder + " is a file; name a folder"
+                                                : "the folder '" + folder + "' can not be made (" +
+            error.message() + "); choose another place"));
+}
+
 void MakeDemo(const DemoOptions& options, Reporter& reporter)
 {
   namespace fs = std::filesystem;
   const std::array<int, 2> size = options.View.GetSize();
   options.Visibility.Check();
   options.View.Parse(); // refuses what is wrong before a folder is made
-  std::error_code error;
-  fs::create_directories(options.Folder, error);
+  MakeFolder(options.Folder);
   const fs::path folder(options.Folder);
   CheckWritable((folder / "index.html").string());
 

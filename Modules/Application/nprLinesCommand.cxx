@@ -111,6 +111,11 @@ void MakeLines(const LinesOptions& options, Reporter& reporter)
   }
   CheckWritable(options.Output);
   options.View.Parse();
+  if (options.Style.Lines == "none")
+  {
+    throw CommandError(
+      UsageError, "--lines none leaves nothing to extract; name kinds (npr lines --list)");
+  }
   // All styles have the same lines; how a style draws them plays no part.
   vtkNew<vtkNPRIllustrationStyle> style;
   options.Style.ApplyTo(style, reporter);

@@ -213,6 +213,11 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
   options.View.Parse();
   options.Visibility.Check();
   vtkNew<vtkNPRIllustrationStyle> style;
+  if (options.Lines == "none")
+  {
+    throw CommandError(
+      UsageError, "--lines none leaves nothing to draw; name kinds (npr lines --list)");
+  }
   std::vector<std::string> kinds = SplitList(options.Lines);
   const bool isKnown = style->SelectLines(kinds);
   reporter.DropVTKErrors();

@@ -75,6 +75,11 @@ std::vector<std::string> StyleOptions::Define() const
     lines->SetField(field);
     lines->SetTest(test);
     lines->SetConstants(constants);
+    if (std::find(names.begin(), names.end(), name) != names.end())
+    {
+      throw CommandError(
+        UsageError, "--define " + name + ": it is defined twice; give each its own name");
+    }
     const std::string problem = lines->FindProblem();
     if (!problem.empty())
     {

@@ -230,7 +230,10 @@ bool vtkNPRIllustrationStyle::SetLineParameter(
         {
           found = true;
           line.DefinitionParameters[parameter] = npr::ParseLineParameter(line, parameter, value);
-          npr::MakeLineDefinition(line, type);
+          // What all lines have is of the drawing, and can not be set here.
+          npr::LineStyle own = line;
+          own.CommonKeys.clear();
+          npr::MakeLineDefinition(own, type);
         }
       }
     }

@@ -88,6 +88,16 @@ class TestBadInput(CommandTest):
         self.refuse(["render", self.model, "-o", path], OUTPUT, path)
         self.refuse(["render", self.model, "-o", "/proc/image.png"], OUTPUT, "/proc/image.png")
 
+    def test_folder_of_the_demo(self):
+        self.refuse(["demo", self.model], OUTPUT, self.model + " is a file")
+        self.refuse(["demo", self.model + "/demo"], OUTPUT, self.model + "/demo", "can not be made")
+        self.refuse(["demo", "/proc/demo"], OUTPUT, "/proc/demo", "can not be made")
+
+    def test_lines_that_need_arrays(self):
+        for kind, message in (("isolines", "no point arrays"), ("region-borders", "no cell arrays")):
+            for words in (self.render(), ["lines", self.model, "-o", self.path("lines.vtp")]):
+                self.refuse([*words, "--lines", kind], INPUT, f"--set {kind}.array=NAME", message)
+
     def test_unknown_image_kind(self):
         self.refuse(["render", self.model, "-o", self.path("image.xyz")], USAGE, ".png")
 
@@ -138,6 +148,10 @@ class TestBadInput(CommandTest):
         self.refuse(self.render("--set", "topographic.levels=5"), USAGE, "topographic", "contours")
         self.refuse(self.render("--lines", "topographic", "--set", "topographic.level=5"), USAGE, "level", "levels")
         self.refuse(self.render("--lines", "topographic", "--set", "topographic.levels=many"), USAGE, "number")
+        width = self.render("--lines", "contours", "--set", "contours.width=5")
+        self.refuse(width, USAGE, "contours/width", "its own keys are: none\n")
+        none = ["lines", self.model, "-o", self.path("lines.vtp"), "--lines", "none"]
+        self.refuse(none, USAGE, "--lines none", "npr lines --list")
         self.refuse(self.render("--background", "#12"), USAGE, "#12")
 
     def test_unknown_backend(self):

@@ -85,6 +85,7 @@ class TestSheet(CommandTest):
         for code, part, words in (
             (1, "scribbles", [self.model, "-o", self.image, "--lines", "creases,scribbles"]),
             (1, "no kind", [self.model, "-o", self.image, "--lines", ","]),
+            (1, "--lines none", [self.model, "-o", self.image, "--lines", "none"]),
             (1, "-o", [self.model]),
             (1, "not both", [self.model, "--sample", "-o", self.image]),
             (1, "unknown kind of image", [self.model, "-o", self.path("image.gif")]),
