@@ -3,9 +3,8 @@
 #include "nprDerivativeDoubt.h"
 
 #include "nprCurvatureDerivatives.h"
+#include "nprForAll.h"
 #include "nprTangentFrame.h"
-
-#include <vtkSMPTools.h>
 
 #include <Eigen/Geometry>
 
@@ -39,19 +38,6 @@ Vector3d Contract(const Vector4d& cubic, const TangentFrame& frame, const Vector
 double GetSquare(const Vector3d& form)
 {
   return form[0] * form[0] + 2.0 * form[1] * form[1] + form[2] * form[2];
-}
-
-template<typename Function>
-void ForAll(std::size_t size, const Function& function)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(size),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        function(static_cast<Index>(i));
-      }
-    });
 }
 
 class DoubtMeter

@@ -26,19 +26,20 @@ inline constexpr int DoubtReach = 4;
  * curvature jumps, and what is estimated there is noise. Three things make the doubt:
  *
  * - Thinness: a triangle's longest edge over the height above it, 1.15 where all edges are equal;
- * of a point the mean over the triangles around, by area, and over the points three rings around,
- *   for single slivers do no harm. An error of the curvature becomes one of its derivative that is
+ *   of a point the mean over its triangles, by area, and over the points three rings around, for
+ *   single slivers do no harm. An error of the curvature becomes one of its derivative that is
  *   larger by so much. The doubt is thinness / 4.2, or more where steps are large.
  * - Step: by how much, in radians, the turn of the normals along one edge changes to that along the
- *   next, says the derivative C: |C(edge)| |edge|, the mean over the triangles at the point. With
- * it the doubt is thinness^2 step / 20: triangles of thinness 2.5 come into doubt at half a turn.
+ *   next, says the derivative C: |C(edge)| |edge|, the mean over the point's triangles. By it the
+ *   doubt is thinness^2 step / 20: triangles of thinness 2.5 come into doubt at half a turn.
  * - What C leaves unexplained: the difference between the second fundamental forms at the ends of
  *   edges and C(edge), over the size of both. Where this is less than 0.35 of it the doubt shrinks
  *   with it, so that regular meshes are trusted, however thin their triangles are.
  *
  * The idea and the limits are our own. The limits stand in the gap between scans, isosurfaces and
  * tori on the one side (where they take away at most some 1 % of the length of lines) and CAD
- * models with fillets on the other (84 to 100 % of suggestive contours).
+ * models with thin triangles on fillets on the other (some 70 to 98 % of suggestive contours).
+ * Coarse triangles that are not thin are not doubted.
  *
  * @param mesh with its incidence built
  * @param normals unit normals

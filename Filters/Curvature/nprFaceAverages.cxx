@@ -4,6 +4,7 @@
 
 #include "nprFaceBatch.h"
 #include "nprFaceFits.h"
+#include "nprForAll.h"
 #include "nprSurfaceNormals.h"
 #include "nprTangentFrame.h"
 
@@ -43,19 +44,6 @@ void ForBatches(const TriangleMesh& mesh, const Work& work)
     });
 }
 
-//------------------------------------------------------------------------------
-template<typename Function>
-void ForAll(std::size_t size, const Function& function)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(size),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        function(static_cast<Index>(i));
-      }
-    });
-}
 }
 
 //------------------------------------------------------------------------------
