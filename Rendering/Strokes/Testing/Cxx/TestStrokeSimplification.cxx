@@ -266,6 +266,22 @@ void TestViews()
 }
 }
 
+/// That strokes are a little less exact while something moves, and as they were when it stops.
+void TestInteraction()
+{
+  const Line circle = nprtest::MakeCircle(500, 50.3, 49.8, 30);
+  Picture picture(100, 100);
+  picture.AddStrokes(MakeLines({ circle }), 3);
+  for (const bool moves : { true, false })
+  {
+    picture.Window->SetDesiredUpdateRate(moves ? 15.0 : 0.0001);
+    picture.Render();
+    const double largest = CompareWithSamples(picture, circle, 1.5).Largest;
+    std::cout << (moves ? "moving: " : "still: ") << largest << "\n";
+    Check(largest < (moves ? 0.25 : 0.1), moves ? "a circle that moves" : "a circle at rest");
+  }
+}
+
 /// That what was left out because it lies on sight lines is there when seen from aside.
 void TestSights()
 {
@@ -324,5 +340,6 @@ int TestStrokeSimplification(int, char*[])
   TestTips();
   TestViews();
   TestSights();
+  TestInteraction();
   return nprtest::Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
