@@ -15,7 +15,10 @@
  * over the picture: where strokes cross or join, a translucent stroke is not darker.
  *
  * Points without which the picture is the same to a sixteenth of a pixel are not drawn, as near as
- * the camera is; they are sorted out when the input changes or the camera comes nearer.
+ * the camera is. They are sorted out when the input changes, then for that view alone, and when it
+ * is seen from elsewhere or nearer, then for all directions. In windows that ask for one frame a
+ * second or more (vtkRenderWindow::DesiredUpdateRate), as interactors do while something moves,
+ * input that changes may be three times as far off.
  *
  * Whether a stroke is hidden by a surface is decided along its axis, for pieces of two pixels and
  * for the whole width at once: the axis is visible unless it lies behind *all* of the surface
