@@ -44,7 +44,8 @@ float FieldAxes::ComputeFall(Index point) const
   const Eigen::Vector3f side = ToEigen(at.Normal).cross(ToEigen(at.Axis));
   const Lanes zero = {};
   const AxisPoints here = { { zero + at.Axis[0], zero + at.Axis[1], zero + at.Axis[2] },
-    zero + at.Field, { zero + at.Normal[0], zero + at.Normal[1], zero + at.Normal[2] } };
+    zero + at.Field, { zero + at.Normal[0], zero + at.Normal[1], zero + at.Normal[2] },
+    zero + at.Bound };
   const Vector3<Lanes> across = { zero + side[0], zero + side[1], zero + side[2] };
   // Summed in double precision, so that the order of the neighbours does not show.
   LaneSum xx;

@@ -7,7 +7,6 @@
 #include "nprLineSurface.h"
 #include "vtkNPRFiltersLinesModule.h"
 
-#include <algorithm>
 #include <array>
 
 namespace npr
@@ -54,34 +53,43 @@ public:
   /// number.
   static float MakeField(float value, const std::array<float, 3>& axis, bool even);
 
-  /// The edges of a triangle along which the field changes its sign: bit e for edge e. 0 where, as
-  /// far as is known without the test, no line may be, or where the field is not a number.
-  unsigned int FindCrossed(Index triangle) const
+  /// The edges of triangles, one in each lane, along which the field changes its sign: bit e for
+  /// edge e. 0 where, as far as is known without the test, no line may be, or where the field is
+  /// not a number.
+  std::array<unsigned int, NumberOfLanes> FindCrossed(
+    const std::array<Index, NumberOfLanes>& triangles) const
   {
-    const TriangleMesh::Triangle& c = this->Surface.GetMesh().GetTriangle(triangle);
-    const bool mayBe = (this->Points[c[0]].Bound > 0.0f) | (this->Points[c[1]].Bound > 0.0f) |
-      (this->Points[c[2]].Bound > 0.0f);
-    // Signs are as good as random, so that branches would be slow: all edges at once.
-    constexpr std::array<int, 3> next = { 1, 2, 0 };
-    unsigned int crossed = 0;
-    for (int first = 0; first < 3; first += NumberOfLanes)
+    const TriangleMesh& mesh = this->Surface.GetMesh();
+    std::array<const TriangleMesh::Triangle*, NumberOfLanes> corners;
+    for (int i = 0; i < NumberOfLanes; ++i)
     {
-      std::array<Index, NumberOfLanes> from;
-      std::array<Index, NumberOfLanes> to;
+      corners[i] = &mesh.GetTriangle(triangles[i]);
+    }
+    const auto load = [&](int corner)
+    {
+      std::array<Index, NumberOfLanes> points;
       for (int i = 0; i < NumberOfLanes; ++i)
       {
-        const int edge = std::min(first + i, 2);
-        from[i] = c[edge];
-        to[i] = c[next[edge]];
+        points[i] = (*corners[i])[corner];
       }
-      std::array<float, NumberOfLanes> row;
-      Store(this->IsCrossed(this->Load(from), this->Load(to)), row.data());
-      for (int i = 0; i < NumberOfLanes && first + i < 3; ++i)
-      {
-        crossed |= static_cast<unsigned int>(row[i]) << (first + i);
-      }
+      return this->Load(points);
+    };
+    const AxisPoints first = load(0);
+    const AxisPoints second = load(1);
+    const AxisPoints third = load(2);
+    const Lanes zero = {};
+    const Lanes some = this->IsCrossed(first, second) + 2.0f * this->IsCrossed(second, third) +
+      4.0f * this->IsCrossed(third, first);
+    const auto mayBe = [&zero, &some](const Lanes& bound, const Lanes& otherwise)
+    { return bound > zero ? some : otherwise; };
+    std::array<float, NumberOfLanes> row;
+    Store(mayBe(first.Bound, mayBe(second.Bound, mayBe(third.Bound, zero))), row.data());
+    std::array<unsigned int, NumberOfLanes> crossed;
+    for (int i = 0; i < NumberOfLanes; ++i)
+    {
+      crossed[i] = static_cast<unsigned int>(row[i]);
     }
-    return mayBe * crossed;
+    return crossed;
   }
 
   /// Starts to load what FindCrossed() will read.
@@ -120,6 +128,7 @@ private:
     Vector3<Lanes> Axis;
     Lanes Field;
     Vector3<Lanes> Normal;
+    Lanes Bound;
   };
   AxisPoints Load(const std::array<Index, NumberOfLanes>& points) const
   {
@@ -132,7 +141,8 @@ private:
     }
     const std::array<Lanes, 4> axis = LoadColumns(axes);
     const std::array<Lanes, 4> normal = LoadColumns(normals);
-    return { { axis[0], axis[1], axis[2] }, axis[3], { normal[0], normal[1], normal[2] } };
+    return { { axis[0], axis[1], axis[2] }, axis[3], { normal[0], normal[1], normal[2] },
+      normal[3] };
   }
 
   /// How two axes are to each other.

@@ -52,11 +52,16 @@ unsigned int FindCrossedBySides(const TriangleMesh& mesh, Index triangle, const 
 
 // As FieldAxes::FindCrossed(), where a line runs through a triangle and so crosses two of its
 // edges, else 0.
-unsigned int FindCrossedByAxes(Index triangle, const FieldValues& values)
+std::array<unsigned int, NumberOfLanes> FindCrossedByAxes(
+  const std::array<Index, NumberOfLanes>& triangles, const FieldAxes& axes)
 {
   constexpr unsigned int twoEdges = 1u << 3 | 1u << 5 | 1u << 6;
-  const unsigned int edges = values.GetAxes()->FindCrossed(triangle);
-  return (twoEdges >> edges & 1u) * edges;
+  std::array<unsigned int, NumberOfLanes> crossed = axes.FindCrossed(triangles);
+  for (unsigned int& edges : crossed)
+  {
+    edges *= twoEdges >> edges & 1u;
+  }
+  return crossed;
 }
 }
 
@@ -299,26 +304,42 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
   const TriangleMesh& mesh = this->Surface.GetMesh();
   part.Crossed.clear();
   std::array<CrossedTriangle, LineClusters::TrianglesOfCluster> found;
+  const auto keep = [&](std::size_t size)
+  { part.Crossed.insert(part.Crossed.end(), found.begin(), found.begin() + size); };
   // `at` gives the number of a triangle, for 0 <= i < count.
-  const auto look = [&](Index count, const auto& at, const auto& findCrossed)
+  const auto lookBySides = [&](Index count, const auto& at)
   {
     std::size_t size = 0;
     for (Index i = 0; i < count; ++i)
     {
       const Index triangle = at(i);
-      const unsigned int edges = findCrossed(triangle);
+      const unsigned int edges = FindCrossedBySides(mesh, triangle, values);
       found[size] = { triangle, edges };
       size += edges != 0;
     }
-    part.Crossed.insert(part.Crossed.end(), found.begin(), found.begin() + size);
+    keep(size);
   };
-  const auto bySides = [&](Index triangle) { return FindCrossedBySides(mesh, triangle, values); };
   const Index lastTriangle = mesh.GetNumberOfTriangles() - 1;
-  const auto byAxes = [&](Index triangle)
+  const auto lookByAxes = [&](Index first, Index count)
   {
     constexpr Index ahead = 8;
-    values.GetAxes()->PrefetchTriangle(std::min(triangle + ahead, lastTriangle));
-    return FindCrossedByAxes(triangle, values);
+    std::size_t size = 0;
+    for (Index i = 0; i < count; i += NumberOfLanes)
+    {
+      std::array<Index, NumberOfLanes> triangles;
+      for (int lane = 0; lane < NumberOfLanes; ++lane)
+      {
+        triangles[lane] = first + std::min(i + lane, count - 1);
+        values.GetAxes()->PrefetchTriangle(std::min(triangles[lane] + ahead, lastTriangle));
+      }
+      const auto edges = FindCrossedByAxes(triangles, *values.GetAxes());
+      for (int lane = 0; lane < std::min<Index>(NumberOfLanes, count - i); ++lane)
+      {
+        found[size] = { triangles[lane], edges[lane] };
+        size += edges[lane] != 0;
+      }
+    }
+    keep(size);
   };
   for (std::size_t c = 0; c < part.Clusters.size(); ++c)
   {
@@ -333,21 +354,19 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
     }
     const Index first = this->Clusters.GetFirstTriangle(cluster);
     const Index count = this->Clusters.GetTriangleEnd(cluster) - first;
-    const auto at = [first](Index i) { return first + i; };
     if (values.GetAxes())
     {
-      look(count, at, byAxes);
+      lookByAxes(first, count);
     }
     else if (this->HasCandidates)
     {
       const Index* const candidates = this->Candidates.data() + this->CandidateOffsets[cluster];
-      look(
-        this->CandidateOffsets[cluster + 1] - this->CandidateOffsets[cluster],
-        [candidates](Index i) { return candidates[i]; }, bySides);
+      lookBySides(this->CandidateOffsets[cluster + 1] - this->CandidateOffsets[cluster],
+        [candidates](Index i) { return candidates[i]; });
     }
     else
     {
-      look(count, at, bySides);
+      lookBySides(count, [first](Index i) { return first + i; });
     }
   }
 }
@@ -366,8 +385,13 @@ void LineExtractor::FindCrossedAtRandom(double share, FieldValues& values)
   const TriangleMesh& mesh = this->Surface.GetMesh();
   const auto findCrossed = [&](Index triangle)
   {
-    return values.GetAxes() ? FindCrossedByAxes(triangle, values)
-                            : FindCrossedBySides(mesh, triangle, values);
+    if (!values.GetAxes())
+    {
+      return FindCrossedBySides(mesh, triangle, values);
+    }
+    std::array<Index, NumberOfLanes> triangles;
+    triangles.fill(triangle);
+    return FindCrossedByAxes(triangles, *values.GetAxes())[0];
   };
   const auto ask = [&](Index triangle)
   {
