@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprLineLevels.h"
 
+#include "nprLanes.h"
 #include "nprLineSurface.h"
 
 #include <vtkSMPThreadLocal.h>
@@ -31,30 +32,50 @@ FieldRange GetMultiples(const FieldRange& range, double spacing, double offset)
 FieldRange GetFieldRange(const LineSurface& surface, const float* field)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  using Range = std::array<float, 2>;
-  vtkSMPThreadLocal<Range> ranges(Range{ infinity, -infinity });
-  vtkSMPTools::For(0, surface.GetMesh().GetNumberOfTriangles(),
+  constexpr float greatest = std::numeric_limits<float>::max();
+  struct Range
+  {
+    Lanes Minimum = Lanes{} + infinity;
+    Lanes Maximum = Lanes{} - infinity;
+    void Add(const Lanes& values)
+    {
+      const Lanes minimum = values < this->Minimum ? values : this->Minimum;
+      const Lanes maximum = values > this->Maximum ? values : this->Maximum;
+      this->Minimum = minimum >= -greatest ? minimum : this->Minimum;
+      this->Maximum = maximum <= greatest ? maximum : this->Maximum;
+    }
+  };
+  vtkSMPThreadLocal<Range> ranges;
+  vtkSMPTools::For(0, surface.GetMesh().GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      Range& range = ranges.Local();
-      for (LineSurface::Index t = static_cast<LineSurface::Index>(begin); t < end; ++t)
+      Range range = ranges.Local();
+      vtkIdType i = begin;
+      for (; !surface.HasUnusedPoints() && i + NumberOfLanes <= end; i += NumberOfLanes)
       {
-        for (const LineSurface::Index point : surface.GetMesh().GetTriangle(t))
+        range.Add(Load<Lanes>(field + i));
+      }
+      for (; i < end; ++i)
+      {
+        if (surface.IsUsed(static_cast<LineSurface::Index>(i)))
         {
-          if (std::isfinite(field[point]))
-          {
-            range = { std::min(range[0], field[point]), std::max(range[1], field[point]) };
-          }
+          range.Add(Lanes{} + field[i]);
         }
       }
+      ranges.Local() = range;
     });
-  float minimum = infinity;
-  float maximum = -infinity;
+  Range all;
   for (const Range& range : ranges)
   {
-    minimum = std::min(minimum, range[0]);
-    maximum = std::max(maximum, range[1]);
+    all.Add(range.Minimum);
+    all.Add(range.Maximum);
   }
+  std::array<float, NumberOfLanes> minima;
+  std::array<float, NumberOfLanes> maxima;
+  Store(all.Minimum, minima.data());
+  Store(all.Maximum, maxima.data());
+  const float minimum = *std::min_element(minima.begin(), minima.end());
+  const float maximum = *std::max_element(maxima.begin(), maxima.end());
   return minimum <= maximum ? FieldRange{ minimum, maximum } : FieldRange();
 }
 

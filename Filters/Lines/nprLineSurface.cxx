@@ -34,6 +34,7 @@ LineSurface::LineSurface(vtkPolyData* surface, double lengthScale)
     this->OriginalWeldedPoints = GetWeldedPoints(surface);
   }
   this->SetOrder(mesh);
+  this->SetUsedPoints();
   this->SetCoordinates();
   this->SetGhosts(surface);
   this->BuildTwins();
@@ -174,6 +175,23 @@ void LineSurface::SetOrder(const TriangleMesh& mesh)
     }
   }
   this->Mesh = TriangleMesh(std::move(points), std::move(triangles), mesh.GetOrigin());
+}
+
+//------------------------------------------------------------------------------
+void LineSurface::SetUsedPoints()
+{
+  std::vector<unsigned char> used(this->Mesh.GetNumberOfPoints(), 0);
+  for (const TriangleMesh::Triangle& corners : this->Mesh.GetTriangles())
+  {
+    for (const Index corner : corners)
+    {
+      used[corner] = 1;
+    }
+  }
+  if (std::find(used.begin(), used.end(), 0) != used.end())
+  {
+    this->UsedPoints = std::move(used);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -84,6 +84,10 @@ public:
   vtkIdType GetPointId(Index point) const { return this->PointIds[point]; }
   vtkIdType GetCellId(Index triangle) const { return this->CellIds[triangle]; }
 
+  /// Whether there are points that no triangle has, and whether a point has one.
+  bool HasUnusedPoints() const { return !this->UsedPoints.empty(); }
+  bool IsUsed(Index point) const { return !this->HasUnusedPoints() || this->UsedPoints[point]; }
+
   /// @name Point arrays
   ///@{
   /// Takes an array of the surface's point data with so many components, 0 for any. False when it
@@ -175,6 +179,7 @@ private:
   };
   const Array* FindArray(const char* name) const;
   void SetOrder(const TriangleMesh& mesh);
+  void SetUsedPoints();
   void SetGhosts(vtkPolyData* surface);
   void SetCoordinates();
   void BuildTwins();
@@ -184,7 +189,8 @@ private:
   double LengthScale = 0.0;
   std::vector<Index> PointIds;
   std::vector<vtkIdType> CellIds;
-  std::vector<Index> WeldedPoints; // empty where no point has copies
+  std::vector<Index> WeldedPoints;       // empty where no point has copies
+  std::vector<unsigned char> UsedPoints; // empty where all are
   std::vector<Index> Twins;
   std::unordered_map<Index, Index> OthersAtSeams;
   EdgeList Seams;

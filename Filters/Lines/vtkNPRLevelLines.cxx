@@ -4,6 +4,8 @@
 
 #include "nprLineLevels.h"
 
+#include <vtkSMPTools.h>
+
 #include <cmath>
 #include <sstream>
 
@@ -12,8 +14,9 @@ namespace
 npr::FieldRange GetRange(const vtkNPRLevelLines& lines, const npr::LineSurface& surface)
 {
   std::vector<float> field(surface.GetMesh().GetNumberOfPoints());
-  lines.EvaluateField(
-    surface, npr::LineView(), 0, static_cast<vtkIdType>(field.size()), field.data());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(field.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    { lines.EvaluateField(surface, npr::LineView(), begin, end, field.data()); });
   return npr::GetFieldRange(surface, field.data());
 }
 }

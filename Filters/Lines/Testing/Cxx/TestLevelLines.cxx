@@ -113,6 +113,21 @@ void TestHeights(Checks& check)
   check(Extract(torus, heights).Chains.size() == 2, "none touches the extremes");
 }
 
+void TestUnusedPoints(Checks& check)
+{
+  const auto torus = MakeExactTorus(Vector3d::Zero());
+  vtkNew<vtkPolyData> surface;
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(torus->GetPoints());
+  points->InsertNextPoint(0.0, 0.0, 100.0);
+  surface->SetPoints(points);
+  surface->SetPolys(torus->GetPolys());
+  vtkNew<vtkNPRTopographicLines> heights;
+  const Lines lines = Extract(surface, heights);
+  check(lines.Chains.size() == 40, "a point that no triangle has doesn't count",
+    double(lines.Chains.size()));
+}
+
 void TestHeightConvergence(Checks& check)
 {
   vtkNew<vtkNPRTopographicLines> heights;
@@ -136,7 +151,8 @@ void TestArrays(Checks& check)
     double p[3];
     torus->GetPoint(i, p);
     values->InsertNextTuple3(p[0], p[1], 5.0 + p[2]);
-    holes->InsertNextValue(static_cast<float>(p[0] > 1.0 ? vtkMath::Nan() : p[2]));
+    const std::array<double, 3> noNumbers = { vtkMath::Nan(), vtkMath::Inf(), -vtkMath::Inf() };
+    holes->InsertNextValue(static_cast<float>(p[0] > 1.0 ? noNumbers[i % 3] : p[2]));
   }
   torus->GetPointData()->AddArray(values);
   torus->GetPointData()->AddArray(holes);
@@ -205,6 +221,7 @@ int TestLevelLines(int, char*[])
 {
   Checks check;
   TestHeights(check);
+  TestUnusedPoints(check);
   TestHeightConvergence(check);
   TestArrays(check);
   return check.GetResult();
