@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What an illustration costs beside VTK's plain picture of the same model, in one run:
-//   nprRenderBenchmark MODEL [STYLE] [WIDTH HEIGHT]
-// A frame is the mean over viewpoints, each with lines extracted anew, of the least of several; all
-// kinds of frames are drawn in turn. Processor: the time of all threads, which tells less of what
-// else the machine does.
+//   nprRenderBenchmark MODEL [STYLE] [WIDTH HEIGHT [SAMPLES]]
+// Without SAMPLES all windows have as many a pixel as VTK's own, which is what its users see; 0
+// turns multisampling off, as `npr render` does, whose strokes are smooth without. A frame is the
+// mean over viewpoints, each with lines extracted anew, of the least of several; all kinds of
+// frames are drawn in turn. Processor: the time of all threads, which tells less of what else the
+// machine does.
 #include "nprBenchmarkCost.h"
 #include "vtkNPRIllustration.h"
 #include "vtkNPRIllustrationStyle.h"
@@ -15,6 +17,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
@@ -43,12 +46,12 @@ public:
   vtkNew<vtkNPRViewpoint> Viewpoint;
   std::vector<nprbench::Cost> Views; // the least so far of each
 
-  Scene(int width, int height)
+  Scene(int width, int height, int samples)
   {
     this->Actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(this->Actor);
     this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
+    this->Window->SetMultiSamples(samples);
     this->Window->SetSize(width, height);
     this->Window->AddRenderer(this->Renderer);
   }
@@ -100,7 +103,8 @@ public:
   vtkNew<vtkNPRIllustration> Illustration;
   vtkNew<vtkNPRIllustrationStyle> Style;
 
-  IllustratedScene(vtkPolyData* surface, int width, int height) : Scene(width, height)
+  IllustratedScene(vtkPolyData* surface, int width, int height, int samples)
+    : Scene(width, height, samples)
   {
     this->Mapper->SetInputData(surface);
     this->Viewpoint->Apply(this->Renderer);
@@ -126,7 +130,7 @@ int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::fprintf(stderr, "usage: nprRenderBenchmark MODEL [STYLE] [WIDTH HEIGHT]\n");
+    std::fprintf(stderr, "usage: nprRenderBenchmark MODEL [STYLE] [WIDTH HEIGHT [SAMPLES]]\n");
     return EXIT_FAILURE;
   }
   if (!vtkNPROffscreen::Setup())
@@ -135,6 +139,8 @@ int main(int argc, char* argv[])
   }
   const int width = argc > 4 ? std::atoi(argv[3]) : 1600;
   const int height = argc > 4 ? std::atoi(argv[4]) : 1200;
+  const int samples =
+    argc > 5 ? std::atoi(argv[5]) : vtkOpenGLRenderWindow::GetGlobalMaximumNumberOfMultiSamples();
   const auto measure = [](const auto& work) { return nprbench::Measure(1, work).Wall; };
 
   vtkNew<vtkNPRModelImporter> importer;
@@ -150,13 +156,13 @@ int main(int argc, char* argv[])
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
   const double vtkNormals = measure([&]() { normals->Update(); });
-  Scene plain(width, height);
+  Scene plain(width, height, samples);
   plain.Mapper->SetInputConnection(normals->GetOutputPort());
   plain.Viewpoint->Apply(plain.Renderer);
   const double vtkFirst = measure([&]() { plain.Render(); });
   const double vtkMemory = nprbench::ReadMegabytes("VmHWM");
 
-  IllustratedScene whole(surface, width, height);
+  IllustratedScene whole(surface, width, height, samples);
   if (!whole.Style->Load(argc > 2 ? argv[2] : "technical"))
   {
     return EXIT_FAILURE;
@@ -169,14 +175,14 @@ int main(int argc, char* argv[])
   const double firstLines = whole.GetSeconds("lines");
 
   // The same while an interactor turns the camera: lines are hidden by the depth buffer.
-  IllustratedScene quick(surface, width, height);
+  IllustratedScene quick(surface, width, height, samples);
   quick.Style->Load(argc > 2 ? argv[2] : "technical");
   quick.Window->SetDesiredUpdateRate(15.0);
   quick.Illustration->Apply();
   quick.Render();
 
   // The same shading with each of the outlines that need no extraction, and with none.
-  IllustratedScene unlined(surface, width, height);
+  IllustratedScene unlined(surface, width, height, samples);
   unlined.Style->Load(argc > 2 ? argv[2] : "technical");
   unlined.Style->SelectLines({});
   const std::vector<std::string> outlines = vtkNPRIllustrationStyle::GetOutlineNames();
@@ -202,9 +208,10 @@ int main(int argc, char* argv[])
   const nprbench::Cost wholeFrame = whole.GetFrame();
   const nprbench::Cost quickFrame = quick.GetFrame();
 
-  std::printf("%s: %lld polygons, %dx%d, style %s, %s\n", argv[1],
+  std::printf("%s: %lld polygons, %dx%d, %d samples, style %s, %s\n", argv[1],
     static_cast<long long>(surface->GetNumberOfPolys()), width, height,
-    whole.Style->GetName().c_str(), vtkNPROffscreen::GetGLRenderer(whole.Window).c_str());
+    plain.Window->GetMultiSamples(), whole.Style->GetName().c_str(),
+    vtkNPROffscreen::GetGLRenderer(whole.Window).c_str());
   std::printf("%-44s %8s %8s %7s\n", "", "VTK", "vtkNPR", "ratio");
   std::printf("%-44s %7.3fs\n", "reading (both)", read);
   PrintRow("prepared (VTK: normals)", vtkNormals, apply);
