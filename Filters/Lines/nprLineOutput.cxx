@@ -263,6 +263,10 @@ void LineOutput::WriteLines()
   vtkIdTypeArray* const offsets = to.Offsets;
   vtkIdTypeArray* const corners = to.Corners;
   offsets->SetValue(numberOfLines, this->NumberOfCorners);
+  double* const positions = to.Positions->GetPointer(0);
+  float* const normals = to.Normals->GetPointer(0);
+  float* const strengths = to.Strengths->GetPointer(0);
+  float* const arcLengths = to.ArcLengths->GetPointer(0);
 
   const auto writeLine = [&](vtkIdType i)
   {
@@ -291,12 +295,11 @@ void LineOutput::WriteLines()
     {
       const std::size_t v = begin + k;
       const vtkIdType point = line.FirstPoint + k;
-      const Eigen::Vector3d position = this->Origin + chains.Positions[v];
       length += k == 0 ? 0.0 : (chains.Positions[v] - chains.Positions[v - 1]).norm();
-      to.Positions->SetTypedTuple(point, position.data());
-      to.Normals->SetTypedTuple(point, chains.Normals[v].data());
-      to.Strengths->SetValue(point, chains.Strengths[v]);
-      to.ArcLengths->SetValue(point, static_cast<float>(length));
+      Eigen::Map<Eigen::Vector3d>(positions + 3 * point) = this->Origin + chains.Positions[v];
+      Eigen::Map<Eigen::Vector3f>(normals + 3 * point) = chains.Normals[v];
+      strengths[point] = chains.Strengths[v];
+      arcLengths[point] = static_cast<float>(length);
       if (hasSources)
       {
         to.SourceCells->SetValue(point, chains.SourceCells[v]);
