@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprHoles.h"
 
+#include "nprTriangleArea.h"
+
 #include <vtkSMPTools.h>
 
 #include <Eigen/Geometry>
@@ -287,7 +289,7 @@ private:
       const Vector3d normal = a.cross(b);
       const double twiceArea = normal.norm();
       const double longest = std::max({ a.squaredNorm(), b.squaredNorm(), back });
-      if (!(twiceArea > 1e-7 * longest)) // also if it is no number
+      if (!CountsAsArea(twiceArea, longest))
       {
         continue;
       }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprTriangleCleaning.h"
 
+#include "nprTriangleArea.h"
+
 #include <vtkSMPTools.h>
 
 #include <Eigen/Geometry>
@@ -45,8 +47,8 @@ vtkIdType KeepTriangles(
 }
 
 //------------------------------------------------------------------------------
-/// The middle corner of a triangle whose corners lie on one line (to the precision of single
-/// coordinates), or -1 for a triangle with an area.
+/// The middle corner of a triangle whose corners lie on one line, or -1 for a triangle with an
+/// area.
 int FindMiddleCorner(const TriangleMesh& mesh, const Triangle& corners)
 {
   double longest = -1.0;
@@ -65,7 +67,7 @@ int FindMiddleCorner(const TriangleMesh& mesh, const Triangle& corners)
   }
   const Vector3d a = (mesh.GetPoint(corners[1]) - mesh.GetPoint(corners[0])).cast<double>();
   const Vector3d b = (mesh.GetPoint(corners[2]) - mesh.GetPoint(corners[0])).cast<double>();
-  return a.cross(b).norm() > 1e-7 * longest ? -1 : middle;
+  return CountsAsArea(a.cross(b).norm(), longest) ? -1 : middle;
 }
 
 //------------------------------------------------------------------------------

@@ -119,6 +119,7 @@ vtkSmartPointer<vtkPolyData> GetModel(const CurvatureCommandOptions& options, Re
   }
   auto model = vtkSmartPointer<vtkPolyData>::New();
   options.Models.Read(options.Models.Files.front(), reporter)->GetSurface(model);
+  CheckArea(options.Models.Files.front(), model);
   return model;
 }
 
@@ -130,12 +131,6 @@ void MakeCurvature(const CurvatureCommandOptions& options, Reporter& reporter)
   reporter.EndStage();
   vtkNew<vtkNPRSurfacePreparation> preparation;
   const auto surface = options.Curvature.Compute(preparation, model, reporter);
-  if (surface->GetNumberOfCells() == 0)
-  {
-    throw CommandError(InputError,
-      (options.Sample ? "the sample" : options.Models.Files.front()) +
-        ": has no triangle with an area, and so no curvature");
-  }
   if (IsSurfaceFile(options.Output))
   {
     reporter.BeginStage("write");

@@ -3,6 +3,7 @@
 #include "nprViewOptions.h"
 
 #include "nprReporter.h"
+#include "nprTriangleArea.h"
 #include "vtkNPRModelImporter.h"
 #include "vtkNPRSampleSource.h"
 #include "vtkNPRViewpoint.h"
@@ -11,6 +12,7 @@
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
@@ -195,7 +197,23 @@ void ModelOptions::Import(vtkRenderer* renderer, Reporter& reporter) const
 {
   for (const std::string& file : this->Files)
   {
-    this->Read(file, reporter)->ImportInto(renderer);
+    const auto importer = this->Read(file, reporter);
+    vtkNew<vtkPolyData> surface;
+    importer->GetSurface(surface);
+    CheckArea(file, surface);
+    importer->ImportInto(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckArea(const std::string& file, vtkPolyData* surface)
+{
+  if (!HasArea(surface))
+  {
+    throw CommandError(InputError,
+      file + ": none of its " + std::to_string(surface->GetNumberOfCells()) +
+        " polygons has an area, so there is nothing to draw; export it again (npr info says what "
+        "is in it)");
   }
 }
 

@@ -20,6 +20,7 @@ class App;
 class Option;
 }
 class vtkNPRModelImporter;
+class vtkPolyData;
 class vtkRenderer;
 
 namespace npr
@@ -39,13 +40,17 @@ struct ModelOptions
 
   /// Read one file. Throws a CommandError that names it; warns of what had to be left out.
   vtkSmartPointer<vtkNPRModelImporter> Read(const std::string& file, Reporter& reporter) const;
-  /// Read every file into the renderer. Throws a CommandError that names the file.
+  /// Read every file into the renderer. Throws a CommandError that names the file, also where none
+  /// of its polygons has an area, and so nothing to draw.
   void Import(vtkRenderer* renderer, Reporter& reporter) const;
   /// Which axis is up by the custom of the files' formats; y where they differ.
   int GetUpAxis() const;
   /// From where the first model is seen from the front, by its kind.
   double GetFrontAzimuth() const;
 };
+
+/// Throws a CommandError where the file's surface has no area.
+void CheckArea(const std::string& file, vtkPolyData* surface);
 
 /// What the words of ViewOptions mean.
 struct ViewSpecification

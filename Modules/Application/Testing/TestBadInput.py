@@ -57,6 +57,24 @@ class TestBadInput(CommandTest):
     def test_all_points_in_one_place(self):
         self.refuse_model("spot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")
 
+    def test_no_area(self):
+        """Two triangles, each with its corners on a line; beside one with an area they do no harm."""
+        lines = "v 0 0 0\nv 0.1 0.1 0.1\nv 0.3 0.3 0.3\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\nf 4 5 6\n"
+        flat = self.write("flat.obj", lines)
+        for words in (
+            ["render", flat, "-o", self.image],
+            ["render", flat, "-o", self.path("drawing.svg")],
+            ["render", self.model, flat, "-o", self.image],
+            ["lines", flat, "-o", self.path("lines.vtp")],
+            ["sheet", flat, "-o", self.image],
+            ["curvature", flat, "-o", self.image],
+        ):
+            with self.subTest(words=words):
+                self.refuse(words, INPUT, flat, "none of its 2 polygons has an area", "npr info")
+        some = self.write("some.obj", lines + "f 1 2 4\n")
+        self.run_well("render", some, "-o", self.image, "--size", "32x32")
+        self.assertIn("2 triangles without area", self.run_well("info", flat).stdout)
+
     def test_unknown_style(self):
         self.refuse(self.render("--style", "nonsense"), INPUT, "nonsense", "technical")
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adjacency, edges and the length scale of small meshes whose answers are known by hand.
 #include "nprLengthScale.h"
+#include "nprTriangleArea.h"
 #include "nprTriangleMesh.h"
 
 #include <vtkCellArray.h>
@@ -9,8 +10,10 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <iostream>
 #include <limits>
 
@@ -120,6 +123,40 @@ void TestStrayPoints()
   }
 }
 
+/// Corners on a line, to single precision, have no area; one triangle, or one of a fan or strip, is
+/// enough.
+void TestArea()
+{
+  const auto hasArea = [](bool isStrip, std::initializer_list<std::array<double, 3>> corners)
+  {
+    vtkNew<vtkPolyData> surface;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(static_cast<int>(corners.size()));
+    for (const auto& corner : corners)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(corner.data()));
+    }
+    surface->SetPoints(points);
+    isStrip ? surface->SetStrips(cells) : surface->SetPolys(cells);
+    return npr::HasArea(surface);
+  };
+  const double third = 1.0 / 3.0;
+  for (const bool isStrip : { false, true })
+  {
+    Check(!hasArea(isStrip, { { 0, 0, 0 }, { third, third, third }, { 1, 1, 1 } }), "a line");
+    Check(
+      !hasArea(isStrip, { { 0, 0, 0 }, { 1, 1e-8, 0 }, { 2, 0, 0 } }), "a line but for rounding");
+    Check(hasArea(isStrip, { { 0, 0, 0 }, { 1, 1e-6, 0 }, { 2, 0, 0 } }), "a needle");
+    Check(hasArea(isStrip, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 } }), "four corners");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Check(!hasArea(isStrip, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, nan, 0 } }), "what is no number");
+  }
+  vtkNew<vtkPolyData> empty;
+  Check(!npr::HasArea(empty), "nothing has no area");
+}
+
 void TestLengthScale()
 {
   vtkNew<vtkPolyData> surface;
@@ -140,6 +177,7 @@ int TestTriangleMesh(int, char*[])
   TestAdjacency();
   TestBadTriangles();
   TestStrayPoints();
+  TestArea();
   TestLengthScale();
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
