@@ -38,6 +38,9 @@ const std::map<std::string, double> MillimetresOfUnits = { { "um", 0.001 }, { "m
   { "cm", 10.0 }, { "m", 1000.0 }, { "in", 25.4 }, { "ft", 304.8 } };
 constexpr double SmallestPaper = 30.0; // millimetres
 constexpr double LargestPaper = 5000.0;
+constexpr double SmallestDrawing = 1.0; // millimetres, its longer side: smaller, it is a dot
+/// Of the room on the paper: in smaller drawings styles leave out most lines as too short.
+constexpr double SmallShare = 0.1;
 
 /// Two positive numbers with a sign between them.
 std::optional<std::array<double, 2>> ParsePair(const std::string& text, char sign)
@@ -273,7 +276,8 @@ DrawingShading DrawingOptions::GetShading(vtkNPRIllustrationStyle* style) const
 }
 
 //------------------------------------------------------------------------------
-void DrawingOptions::FitViewToPage(vtkRenderer* renderer, vtkNPRDrawingWriter* writer) const
+void DrawingOptions::FitViewToPage(
+  vtkRenderer* renderer, vtkNPRDrawingWriter* writer, Reporter& reporter) const
 {
   if (writer->GetFit() != vtkNPRDrawingWriter::TRUE_SCALE)
   {
@@ -292,13 +296,22 @@ void DrawingOptions::FitViewToPage(vtkRenderer* renderer, vtkNPRDrawingWriter* w
     side -= 2.0 * writer->GetMargin();
   }
   const double share = std::min(room[0] / drawn[0], room[1] / drawn[1]);
+  const std::string sizes = "at the scale " + this->Scale + " the drawing is " + ToText(drawn[0]) +
+    " x " + ToText(drawn[1]) + " mm, and the paper " + this->Paper + " has room for " +
+    ToText(room[0]) + " x " + ToText(room[1]) + " mm; take --scale " +
+    FindUsualScale(share * writer->GetScale());
   if (share < 1.0)
   {
-    throw CommandError(UsageError,
-      "at the scale " + this->Scale + " the drawing is " + ToText(drawn[0]) + " x " +
-        ToText(drawn[1]) + " mm, and the paper " + this->Paper + " has room for " +
-        ToText(room[0]) + " x " + ToText(room[1]) + " mm; take --scale " +
-        FindUsualScale(share * writer->GetScale()) + ", or a larger --paper");
+    throw CommandError(UsageError, sizes + ", or a larger --paper");
+  }
+  const std::string remedies = ", a smaller --paper, or another --unit than " + this->Unit;
+  if (std::max(drawn[0], drawn[1]) < SmallestDrawing)
+  {
+    throw CommandError(UsageError, sizes + remedies);
+  }
+  if (share * SmallShare > 1.0)
+  {
+    reporter.Warn(sizes + remedies);
   }
 
   int size[2];

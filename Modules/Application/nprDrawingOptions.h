@@ -24,6 +24,8 @@ class vtkRenderer;
 
 namespace npr
 {
+class Reporter;
+
 /// Whether a file's name is that of a vector drawing.
 bool IsDrawingFile(const std::string& file);
 
@@ -58,8 +60,9 @@ struct DrawingOptions
   DrawingShading GetShading(vtkNPRIllustrationStyle* style) const;
 
   /// For a drawing to scale: turn the paper, and make the renderer's window and view as large as
-  /// the room on it. Throws a CommandError when there is too little of it.
-  void FitViewToPage(vtkRenderer* renderer, vtkNPRDrawingWriter* writer) const;
+  /// the room on it. Throws a CommandError when there is too little of it, and when the drawing
+  /// would be a dot; warns of one that is small on its paper.
+  void FitViewToPage(vtkRenderer* renderer, vtkNPRDrawingWriter* writer, Reporter& reporter) const;
 
 private:
   double GetMillimetresPerUnit() const;

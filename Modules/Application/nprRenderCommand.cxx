@@ -47,6 +47,10 @@ void Render(const RenderOptions& options, Reporter& reporter)
   {
     CheckImageFile(options.Output, { ".svg", ".pdf" });
     options.Drawing.RefuseFor(options.Output);
+    if (options.Style.IsTransparent())
+    {
+      CheckTransparency(options.Output);
+    }
     options.Visibility.Check();
   }
   vtkNew<vtkNPRIllustrationStyle> style;
@@ -60,7 +64,7 @@ void Render(const RenderOptions& options, Reporter& reporter)
   options.View.Apply(job.GetRenderer(), options.Models);
   if (drawing)
   {
-    options.Drawing.FitViewToPage(job.GetRenderer(), drawing);
+    options.Drawing.FitViewToPage(job.GetRenderer(), drawing, reporter);
     job.RunDrawing(style, drawing, options.Output, shading, options.Style.IsTransparent());
   }
   else

@@ -241,6 +241,19 @@ class TestDrawings(CommandTest):
         self.refuse(words + ["1:1"], USAGE, "400 x 300 mm", "277 x 190 mm", "1:2", model=model)
         self.draw(model, *words, "1:2", "--style", "ink")
 
+    def test_too_small_for_the_paper(self):
+        model = self.write("box.obj", box(400, 300, 20))
+        words = ["--view", "front", "--projection", "parallel", "--style", "ink", "--scale"]
+        fitting = "take --scale 1:2, a smaller --paper, or another --unit than mm"
+        self.refuse(words + ["1:1000000"], USAGE, "0.0004 x 0.0003 mm", "277 x 190 mm", fitting, model=model)
+        path = self.path("small.svg")
+        for scale, warning in (("1:20", "20 x 15 mm"), ("1:10", "")):
+            with self.subTest(scale=scale):
+                result = self.run_well("render", model, "-o", path, *words, scale)
+                self.assertIn(warning, result.stderr)
+                self.assertEqual(result.stderr.count(fitting), 1 if warning else 0, result.stderr)
+        self.assertEqual(self.run_well("render", model, "-o", path, *words, "1:20", "--quiet").stderr, "")
+
     def test_tones(self):
         model = self.write("ball.obj", ball(24))
         drawing = self.draw(model, "--style", "toon", "--shading", "tones")
