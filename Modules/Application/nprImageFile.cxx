@@ -6,10 +6,8 @@
 
 #include <vtkBMPWriter.h>
 #include <vtkImageData.h>
-#include <vtkImageExtractComponents.h>
 #include <vtkImageWriter.h>
 #include <vtkJPEGWriter.h>
-#include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPNMWriter.h>
 #include <vtkSmartPointer.h>
@@ -95,12 +93,6 @@ private:
   std::array<void (*)(int), 3> Previous{};
 };
 char PartialFileGuard::Path[4096];
-
-bool KeepsTransparency(const std::string& file)
-{
-  const std::string extension = ExtensionOf(file);
-  return extension == ".png" || extension == ".tif" || extension == ".tiff";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -157,6 +149,18 @@ void CheckImageFile(const std::string& file, const std::vector<std::string>& oth
 }
 
 //------------------------------------------------------------------------------
+void CheckTransparency(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  if (extension != ".png" && extension != ".tif" && extension != ".tiff")
+  {
+    throw CommandError(UsageError,
+      "--background transparent: " + extension +
+        " images have no transparency; write .png or .tif, or give the paper a colour");
+  }
+}
+
+//------------------------------------------------------------------------------
 void WriteWhole(const std::string& file, const std::function<bool(const std::string&)>& write)
 {
   const fs::path target(file);
@@ -181,17 +185,7 @@ void WriteWhole(const std::string& file, const std::function<bool(const std::str
 void WriteImage(vtkImageData* image, const std::string& file)
 {
   const vtkSmartPointer<vtkImageWriter> writer = MakeWriter(file);
-  vtkNew<vtkImageExtractComponents> colors;
-  colors->SetInputData(image);
-  colors->SetComponents(0, 1, 2);
-  if (image->GetNumberOfScalarComponents() == 4 && !KeepsTransparency(file))
-  {
-    writer->SetInputConnection(colors->GetOutputPort());
-  }
-  else
-  {
-    writer->SetInputData(image);
-  }
+  writer->SetInputData(image);
   WriteWhole(file,
     [&](const std::string& partial)
     {

@@ -23,6 +23,8 @@ std::string ExtensionOf(const std::string& file);
 /// `others` are extensions that somebody else writes, for the message.
 void CheckImageFile(const std::string& file, const std::vector<std::string>& others = {});
 void CheckWritable(const std::string& file);
+/// Throws a CommandError where images of the file's kind have no transparent pixels.
+void CheckTransparency(const std::string& file);
 
 void WriteImage(vtkImageData* image, const std::string& file);
 

@@ -31,8 +31,8 @@ void StyleOptions::AddTo(CLI::App& command)
       "often with --lines none")
     ->check(CLI::IsMember(vtkNPRIllustrationStyle::GetOutlineNames()));
   this->AddSettingsTo(command);
-  command.add_option(
-    "--background", this->Background, "The paper: #rrggbb, an HTML colour name, or transparent");
+  command.add_option("--background", this->Background,
+    "The paper: #rrggbb, an HTML colour name, or transparent (not in .jpg, .bmp and .ppm)");
 }
 
 //------------------------------------------------------------------------------

@@ -252,10 +252,11 @@ void ViewOptions::AddTo(CLI::App& command)
 {
   command.add_option("--size", this->Size, "Size of the image in pixels, WxH")
     ->capture_default_str();
-  command
-    .add_option("--view", this->View,
-      "front, back, left, right, top, bottom, three-quarter, or AZIMUTH,ELEVATION in degrees")
-    ->capture_default_str();
+  this->GivenView =
+    command
+      .add_option("--view", this->View,
+        "front, back, left, right, top, bottom, three-quarter, or AZIMUTH,ELEVATION in degrees")
+      ->capture_default_str();
   command.add_option("--projection", this->Projection, "perspective or parallel")
     ->check(CLI::IsMember({ "perspective", "parallel" }))
     ->capture_default_str();
@@ -318,6 +319,12 @@ ViewSpecification ViewOptions::Parse() const
     return view;
   }
 
+  if (this->GivenView && this->GivenView->count() > 0)
+  {
+    throw CommandError(UsageError,
+      "--view and --eye both say where the viewer stands; leave out one of them (--target says "
+      "where someone at --eye looks)");
+  }
   view.Eye = ParsePoint("--eye", this->Eye);
   if (view.UpAxis)
   {

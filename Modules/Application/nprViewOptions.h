@@ -72,6 +72,7 @@ struct ViewOptions
   std::string View = "three-quarter";
   std::string Projection = "perspective";
   std::string Eye, Target, Up;
+  const CLI::Option* GivenView = nullptr; ///< Null without a command line.
 
   void AddTo(CLI::App& command);
 

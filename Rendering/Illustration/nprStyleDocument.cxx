@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace npr
 {
@@ -29,6 +30,70 @@ std::string PlaceOf(const std::string& text, std::size_t offset)
   const std::size_t column = before.size() - (start == std::string::npos ? 0 : start + 1) + 1;
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
+
+/// The document, as long as no object in it has a key twice: one of the two values would be lost.
+class UniqueKeysParser
+{
+public:
+  Json Parse(const std::string& text)
+  {
+    return Json::parse(text,
+      [this](int, Json::parse_event_t event, const Json& parsed)
+      {
+        this->Follow(event, parsed);
+        return true;
+      });
+  }
+
+private:
+  /// An object or a list that the parser is in.
+  struct Level
+  {
+    std::set<std::string> Keys;
+    std::string Place; ///< The key of the value that comes, or the index of the last one.
+    int Items = 0;
+    bool IsList = false;
+  };
+
+  void Follow(Json::parse_event_t event, const Json& parsed)
+  {
+    using Event = Json::parse_event_t;
+    const bool begins = event == Event::object_start || event == Event::array_start;
+    if ((begins || event == Event::value) && !this->Levels.empty() && this->Levels.back().IsList)
+    {
+      this->Levels.back().Place = std::to_string(this->Levels.back().Items++);
+    }
+    if (begins)
+    {
+      this->Levels.emplace_back();
+      this->Levels.back().IsList = event == Event::array_start;
+    }
+    else if (event == Event::object_end || event == Event::array_end)
+    {
+      this->Levels.pop_back();
+    }
+    else if (event == Event::key)
+    {
+      this->Levels.back().Place = parsed.get<std::string>();
+      if (!this->Levels.back().Keys.insert(this->Levels.back().Place).second)
+      {
+        throw StyleError(this->GetPath() + " is given twice; leave out one of them");
+      }
+    }
+  }
+
+  std::string GetPath() const
+  {
+    std::string path;
+    for (const Level& level : this->Levels)
+    {
+      path += "/" + level.Place;
+    }
+    return path;
+  }
+
+  std::vector<Level> Levels;
+};
 
 void ReadBackground(StyleSection& root, StyleDocument& style)
 {
@@ -267,7 +332,7 @@ StyleDocument ParseStyle(const std::string& json)
   Json parsed;
   try
   {
-    parsed = Json::parse(json);
+    parsed = UniqueKeysParser().Parse(json);
   }
   catch (const Json::parse_error& error)
   {

@@ -95,6 +95,9 @@ class TestBadInput(CommandTest):
             ('{"shading": {"style": "toon", "tone": 3}}', "/shading/tone"),
             ('{"background": "#12"}', "/background"),
             ('{"sahding": {}}', "/sahding"),
+            ('{"name": "a", "lines": [], "name": "b"}', "/name"),
+            ('{"strokes": {"wobble": 1, "cap": "butt", "wobble": 2}}', "/strokes/wobble"),
+            ('{"lines": [{"type": "creases"}, {"type": "contours", "width": 1, "width": 2}]}', "/lines/1/width"),
             ("[]", "object"),
         ):
             with self.subTest(content=content):
@@ -154,6 +157,7 @@ class TestBadInput(CommandTest):
             ["--eye", "1,2,3", "--target", "1,2"],
             ["--eye", "1,2,3", "--target", "1,2,3"],
             ["--eye", "1,2,3", "--target", "1,2,9", "--up", "z"],
+            ["--view", "front", "--eye", "1,2,3"],
         ):
             with self.subTest(words=words):
                 self.refuse(["render", missing, "-o", self.image, *words], USAGE, words[-2])
@@ -171,6 +175,9 @@ class TestBadInput(CommandTest):
         none = ["lines", self.model, "-o", self.path("lines.vtp"), "--lines", "none"]
         self.refuse(none, USAGE, "--lines none", "npr lines --list")
         self.refuse(self.render("--background", "#12"), USAGE, "#12")
+        for extension in (".jpg", ".bmp", ".ppm"):
+            words = ["render", self.model, "-o", self.path("image" + extension), "--background", "transparent"]
+            self.refuse(words, USAGE, "transparent", extension, ".png or .tif")
 
     def test_unknown_backend(self):
         result = run(*self.render(), environment={"NPR_OFFSCREEN": "abacus"})
