@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprSurfacePreparation.h"
 
+#include "nprCracks.h"
 #include "nprCreases.h"
 #include "nprHoles.h"
 #include "nprLengthScale.h"
@@ -161,6 +162,10 @@ private:
     DropDuplicates(this->Mesh, this->Surface);
     DropUnusedPoints(this->Mesh, this->Surface);
     this->Mesh.BuildNeighbours();
+    if (this->Options.Weld)
+    {
+      CloseCracks(this->Mesh, this->Surface);
+    }
     this->Surface.LengthScale = this->Mesh.ComputeLengthScale();
     this->NumberOfWeldedPoints = this->Mesh.GetNumberOfPoints();
     this->Counts.UnusedPoints = static_cast<vtkIdType>(this->Points.size()) -

@@ -43,6 +43,7 @@ struct SurfacePreparationCounts
   vtkIdType UnusedPoints = 0;        ///< dropped because no triangle was left that needs them
   vtkIdType DegenerateTriangles = 0; ///< dropped for having no area
   vtkIdType FlippedNeedles = 0;      ///< zero-area triangles between others, kept by an edge flip
+  vtkIdType CrackEdges = 0;          ///< boundary edges split where points of others lie on them
   vtkIdType DuplicateTriangles = 0;  ///< dropped for having the points of another one
   vtkIdType FoldTriangles = 0;       ///< dropped with the one that faces the other way
   vtkIdType ReorientedTriangles = 0; ///< turned over

@@ -45,6 +45,7 @@ const Count AllCounts[] = {
   { &Counts::FlippedNeedles, "FlippedNeedles", "needles mended" },
   { &Counts::DuplicateTriangles, "DuplicateTriangles", "duplicate triangles dropped" },
   { &Counts::FoldTriangles, "FoldTriangles", "triangles of folds dropped" },
+  { &Counts::CrackEdges, "CrackEdges", "edges split at T-junctions" },
   { &Counts::NonManifoldEdges, "NonManifoldEdges", "non-manifold edges" },
   { &Counts::NonManifoldPoints, "NonManifoldPoints", "non-manifold points off these" },
   { &Counts::ReorientedTriangles, "ReorientedTriangles", "triangles reoriented" },

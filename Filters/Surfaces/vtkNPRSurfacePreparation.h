@@ -8,12 +8,13 @@
  * triangles with points that are NaN or infinite dropped; points in the same place welded (all
  * attributes are those of the first, so texture coordinates may differ at seams: shade the original
  * mesh, or set Weld off); triangles without area and duplicates dropped, and folds, which are small
- * flaps whose two sides coincide (decimated scans have them); the surface split where it is no
- * manifold, so that each edge has at most two triangles and each point one fan of them;
- * triangles oriented alike across edges that have two, with the normals of closed components
- * outside, and open ones left as most of their triangles were; small holes filled, if asked for;
- * and the surface split into smooth patches along its creases, so that normals and curvatures there
- * are those of either side and nothing is smeared across.
+ * flaps whose two sides coincide (decimated scans have them); cracks closed between faces that
+ * part a common edge differently, by splitting the triangles there (not with Weld off); the surface
+ * split where it is no manifold, so that each edge has at most two triangles and each point one fan
+ * of them; triangles oriented alike across edges that have two, with the normals of closed
+ * components outside, and open ones left as most of their triangles were; small holes filled, if
+ * asked for; and the surface split into smooth patches along its creases, so that normals and
+ * curvatures there are those of either side and nothing is smeared across.
  *
  * Points keep their precision, and point and cell arrays pass; triangles that fill a hole have the
  * cell data of a triangle beside it. The output has the point array WeldedPointIds (for copies that
@@ -48,7 +49,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Whether points in the same place become one. Default is on.
+  /// Whether points in the same place become one, and cracks are closed. Default is on.
   vtkSetMacro(Weld, bool);
   vtkGetMacro(Weld, bool);
   vtkBooleanMacro(Weld, bool);
@@ -123,6 +124,8 @@ public:
   vtkIdType GetNumberOfFoldTriangles() const { return this->Counts.FoldTriangles; }
   /// Triangles turned over.
   vtkIdType GetNumberOfReorientedTriangles() const { return this->Counts.ReorientedTriangles; }
+  /// Boundary edges split where points of another border that runs along them lie on them.
+  vtkIdType GetNumberOfCrackEdges() const { return this->Counts.CrackEdges; }
   /// Edges with more than two triangles.
   vtkIdType GetNumberOfNonManifoldEdges() const { return this->Counts.NonManifoldEdges; }
   /// Points with several fans of triangles that are at no such edge.

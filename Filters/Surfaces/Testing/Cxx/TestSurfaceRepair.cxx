@@ -12,6 +12,7 @@
 #include <vtkMinimalStandardRandomSequence.h>
 #include <vtkSMPTools.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <string>
@@ -155,6 +156,90 @@ void TestBoxesAtAnEdge(Checks& check)
   CheckManifold(check, "boxes", output);
   const Shape shape = GetShape(output);
   check(shape.BoundaryEdges == 0 && shape.EulerCharacteristic == 4, "two closed boxes");
+}
+
+//------------------------------------------------------------------------------
+/// A box whose faces are grids, each as fine as it likes, as programs for CAD write it: in a text,
+/// with six digits.
+vtkSmartPointer<vtkPolyData> MakeGridBox(const std::array<int, 6>& fineness, double gap)
+{
+  Points points;
+  std::vector<Corners> triangles;
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2;
+    const int size = fineness[face];
+    const auto first = static_cast<vtkIdType>(points.size());
+    for (int i = 0; i <= size; ++i)
+    {
+      for (int j = 0; j <= size; ++j)
+      {
+        std::array<double, 3> corner;
+        corner[axis] = face % 2 == 0 ? 0.0 : 1.0 + (face == 5 ? gap : 0.0);
+        corner[(axis + 1) % 3] = double(i) / size;
+        corner[(axis + 2) % 3] = double(j) / size;
+        // Along no axis, so that rounding takes points off the edges.
+        const Vector3d turned = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()) *
+          Vector3d(corner[0], 2.0 * corner[1], 3.0 * corner[2]);
+        for (int c = 0; c < 3; ++c)
+        {
+          corner[c] = std::round(1e5 * turned[c]) * 1e-5;
+        }
+        points.push_back(corner);
+      }
+    }
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      for (vtkIdType j = 0; j < size; ++j)
+      {
+        const vtkIdType here = first + i * (size + 1) + j;
+        const vtkIdType next = here + size + 1;
+        const bool turns = face % 2 == 0;
+        triangles.push_back({ here, turns ? next + 1 : next, turns ? next : next + 1 });
+        triangles.push_back({ here, turns ? here + 1 : next + 1, turns ? next + 1 : here + 1 });
+      }
+    }
+  }
+  return MakeMesh(points, triangles);
+}
+
+/// Faces of one, two, three and four edges a side: each edge is split where the other face parts
+/// it.
+void TestCracks(Checks& check)
+{
+  vtkNew<vtkNPRSurfacePreparation> preparation;
+  preparation->SplitCreasesOff();
+  const auto prepare = [&](const std::array<int, 6>& fineness, double gap)
+  {
+    preparation->SetInputData(MakeGridBox(fineness, gap));
+    preparation->Update();
+    CheckManifold(check, "cracks", preparation->GetOutput());
+    return GetShape(preparation->GetOutput());
+  };
+  Shape shape = prepare({ 3, 3, 3, 3, 3, 3 }, 0.0);
+  check(shape.BoundaryEdges == 0 && preparation->GetNumberOfCrackEdges() == 0, "alike faces fit");
+  shape = prepare({ 1, 3, 1, 4, 2, 4 }, 0.0);
+  check(shape.BoundaryEdges == 0 && shape.EulerCharacteristic == 2, "the box is closed",
+    static_cast<double>(shape.BoundaryEdges));
+  check(preparation->GetNumberOfReorientedTriangles() == 0, "no triangle is turned");
+  check(preparation->GetNumberOfCrackEdges() > 12, "by splitting edges",
+    static_cast<double>(preparation->GetNumberOfCrackEdges()));
+  check(preparation->GetReport().find("edges split at T-junctions") != std::string::npos,
+    "and the report says so");
+
+  shape = prepare({ 1, 3, 1, 4, 2, 4 }, 1e-3);
+  check(shape.BoundaryEdges >= 16, "a lid that stands off is not nailed on",
+    static_cast<double>(shape.BoundaryEdges));
+  preparation->WeldOff();
+  prepare({ 1, 3, 1, 4, 2, 4 }, 0.0);
+  check(preparation->GetNumberOfCrackEdges() == 0, "nor anything without welding");
+
+  // A sheet that stands on another's edge with its corner only is another one.
+  preparation->WeldOn();
+  const auto sheets =
+    MakeMesh({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 2, 0, 0 }, { 3, -1, 0 }, { 3, -1, 1 } },
+      { { 0, 1, 2 }, { 3, 4, 5 } });
+  Prepare(check, "a corner at an edge", preparation, sheets, { { "BoundaryEdges", 6 } });
 }
 
 //------------------------------------------------------------------------------
@@ -375,6 +460,7 @@ int TestSurfaceRepair(int, char*[])
   TestFolds(check);
   TestSheetsAtAnEdge(check);
   TestBoxesAtAnEdge(check);
+  TestCracks(check);
   TestBowTie(check);
   TestMoebius(check);
   TestSoups(check);
