@@ -4,6 +4,8 @@
 
 #include "nprLatticeNoise.h"
 
+#include <vtkMath.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -18,6 +20,7 @@ namespace
 constexpr double StepsOfTaper = 8.0;
 constexpr double StepsOfWave = 16.0;
 constexpr double MostSteps = 4096.0;        // of a segment
+constexpr double LeastOfWidth = 0.25;       // however small a stroke is: it is to be seen
 constexpr double TangentOfOvershoot = 0.25; // the stretch, as a share of it, that it goes on from
 
 /// The sample at the end of the segment that holds a length, and where in that.
@@ -48,6 +51,16 @@ public:
 
   double GetLength() const { return this->Lengths.back(); }
   double GetLengthAt(std::size_t sample) const { return this->Lengths[sample]; }
+
+  Eigen::Vector3d GetArea() const
+  {
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i < this->Places.size(); ++i)
+    {
+      area += 0.5 * this->Places[i - 1].cross(this->Places[i]);
+    }
+    return area;
+  }
 
   Eigen::Vector3d GetPlace(double length) const
   {
@@ -246,6 +259,41 @@ void ShapedStrokes::Average(float* values) const
 }
 
 //------------------------------------------------------------------------------
+double ShapedStrokes::GetSize(std::size_t stroke) const
+{
+  std::size_t end = 0;
+  for (std::size_t i = 0; i <= stroke; ++i)
+  {
+    end += static_cast<std::size_t>(this->Sizes[i]);
+  }
+  const double length = this->Lengths[end - 1];
+  if (!this->Closed[stroke])
+  {
+    return 2.0 / vtkMath::Pi() * length;
+  }
+  return length > 0.0 ? 4.0 * this->Areas[stroke].norm() / length : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void ShapedStrokes::LimitWidths(float* widths, double perSize, bool isRelative) const
+{
+  std::size_t first = 0;
+  for (std::size_t stroke = 0; stroke < this->Sizes.size(); ++stroke)
+  {
+    const std::size_t end = first + static_cast<std::size_t>(this->Sizes[stroke]);
+    const double unit = isRelative ? this->Lengths[end - 1] : 1.0;
+    const double most = unit > 0.0 ? perSize * this->GetSize(stroke) / unit : 0.0;
+    const double widest = *std::max_element(widths + first, widths + end);
+    if (widest > most)
+    {
+      const auto factor = static_cast<float>(std::max(most / widest, LeastOfWidth));
+      std::for_each(widths + first, widths + end, [factor](float& width) { width *= factor; });
+    }
+    first = end;
+  }
+}
+
+//------------------------------------------------------------------------------
 void ShapeStroke(const StrokeChain& chain, const StrokeMeasure& measure, const StrokeShape& given,
   const StrokeTraits& traits, double firstArcLength, ShapedStrokes& strokes)
 {
@@ -290,6 +338,7 @@ void ShapeStroke(const StrokeChain& chain, const StrokeMeasure& measure, const S
   }
   strokes.Reaches.push_back(std::min(shape.Reach, 0.5 * length));
   strokes.Closed.push_back(chain.Closed);
+  strokes.Areas.push_back(path.GetArea());
   samples.front().ArcLength = firstArcLength;
   MeasureArcLength(samples, 0);
   strokes.Samples.insert(strokes.Samples.end(), samples.begin(), samples.end());

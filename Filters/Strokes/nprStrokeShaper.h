@@ -6,6 +6,9 @@
 #include "nprStrokeMeasure.h"
 #include "nprStrokeSamples.h"
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -44,9 +47,18 @@ struct ShapedStrokes : SampledStrokes
   // For each stroke.
   std::vector<double> Reaches;
   std::vector<char> Closed;
+  std::vector<Eigen::Vector3d> Areas; // around the origin, by the right-hand rule
+
+  /// How large a stroke is, without its wobbles: a loop four times its area by its length, which is
+  /// a circle's diameter, another one as a half circle of its length.
+  double GetSize(std::size_t stroke) const;
 
   /// Replaces a value of each sample by the average over the reach to both sides along the stroke.
   void Average(float* values) const;
+
+  /// Makes the widths of a stroke less, all by the same factor, so that none is more than its size
+  /// allows. Sizes are in units of the measure or, relative, shares of the stroke's length.
+  void LimitWidths(float* widths, double perSize, bool isRelative) const;
 };
 
 /// Appends one stroke, overshooting and wobbling, with as many points as its attributes need.

@@ -60,6 +60,7 @@ std::vector<npr::ShapedStrokes> JoinParts(
     whole.Lengths = strokes[first].Lengths;
     whole.Reaches = strokes[first].Reaches;
     whole.Closed = strokes[first].Closed;
+    whole.Areas = strokes[first].Areas;
     const auto continues = [&cuts](std::size_t line, std::size_t other)
     { return cuts.Continues(static_cast<vtkIdType>(line), static_cast<vtkIdType>(other)); };
     for (next = first + 1;
@@ -72,6 +73,7 @@ std::vector<npr::ShapedStrokes> JoinParts(
         whole.Lengths.push_back(end + length);
       }
       whole.Sizes.front() += strokes[next].Sizes.front();
+      whole.Areas.front() += strokes[next].Areas.front();
       whole.Reaches.front() = std::max(whole.Reaches.front(), strokes[next].Reaches.front());
     }
     if (next > first + 1)
@@ -355,6 +357,15 @@ int vtkNPRStrokeAttributes::RequestData(
       product->SetValue(i, product->GetValue(i) * factors->GetValue(i));
     }
   }
+  if (this->WidthPerSize > 0.0)
+  {
+    float* width = widths->GetPointer(0);
+    for (const npr::ShapedStrokes& stroke : whole)
+    {
+      stroke.LimitWidths(width, this->WidthPerSize, shape.RelativeToStroke);
+      width += stroke.Lengths.size();
+    }
+  }
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -382,6 +393,7 @@ void vtkNPRStrokeAttributes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TaperLength: " << this->TaperLength << "\n";
   os << indent << "TaperedWidth: " << this->TaperedWidth << "\n";
   os << indent << "TaperedOpacity: " << this->TaperedOpacity << "\n";
+  os << indent << "WidthPerSize: " << this->WidthPerSize << "\n";
   os << indent << "OvershootLength: " << this->OvershootLength << "\n";
   os << indent << "WobbleAmplitude: " << this->WobbleAmplitude << "\n";
   os << indent << "WobbleWavelength: " << this->WobbleWavelength << "\n";

@@ -214,6 +214,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The most that Width may be for each unit of LengthUnit that a stroke is large, so that small
+   * holes are not filled with ink. A loop is four times its area by its length large, as a circle
+   * is by its diameter; another stroke as a half circle of its length. Those that are too wide are
+   * made narrower as a whole, though never to less than a quarter. Default: 0, no limit.
+   */
+  vtkSetClampMacro(WidthPerSize, double, 0.0, VTK_FLOAT_MAX);
+  vtkGetMacro(WidthPerSize, double);
+  ///@}
+
+  ///@{
   /** How far strokes go on, straight, beyond their true ends; in the unit of LengthUnit.
    * Default: 0. */
   vtkSetClampMacro(OvershootLength, double, 0.0, VTK_FLOAT_MAX);
@@ -261,6 +272,7 @@ protected:
   double TaperLength = 0.0;
   double TaperedWidth = 0.0;
   double TaperedOpacity = 1.0;
+  double WidthPerSize = 0.0;
   double OvershootLength = 0.0;
   double WobbleAmplitude = 0.0;
   double WobbleWavelength = 0.1;

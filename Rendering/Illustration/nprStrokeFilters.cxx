@@ -53,7 +53,7 @@ vtkSmartPointer<vtkNPRStrokeAttributes> MakeAttributes(
 //------------------------------------------------------------------------------
 StrokeFilters::StrokeFilters(
   const LineStyle& line, const LightStyle& light, bool straight, vtkMatrix4x4* matrix)
-  : Style(line.Stroke), Splines(vtkSmartPointer<vtkNPRSplineStrokes>::New())
+  : Style(line.Stroke), Width(line.Width), Splines(vtkSmartPointer<vtkNPRSplineStrokes>::New())
 {
   this->Splines->SetSplineType(straight || line.Spline == "none" ? vtkNPRSplineStrokes::NONE
       : line.Spline == "b-spline"                                ? vtkNPRSplineStrokes::B_SPLINE
@@ -93,6 +93,8 @@ void StrokeFilters::SetScale(const PageScale& scale, vtkCamera* camera)
     this->Attributes->SetCamera(camera);
     this->Attributes->SetReach(heights * this->Style.BendReach);
     this->Attributes->SetTaperLength(heights * this->Style.TaperLength);
+    const double width = this->Width * scale.PixelsPerUnitOfWidth / scale.PixelsPerUnit;
+    this->Attributes->SetWidthPerSize(this->Style.WidthLimit / (heights * width));
     this->Attributes->SetOvershootLength(heights * this->Style.Overshoot);
     this->Attributes->SetWobbleAmplitude(heights * this->Style.Wobble);
     this->Attributes->SetWobbleWavelength(heights * this->Style.WobbleLength);

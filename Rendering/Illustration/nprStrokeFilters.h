@@ -46,6 +46,7 @@ public:
 
 private:
   StrokeStyle Style;
+  double Width;
   vtkSmartPointer<vtkNPRSplineStrokes> Splines;
   vtkSmartPointer<vtkNPRStrokeAttributes> Attributes; // null where the style needs none
 };

@@ -151,6 +151,7 @@ void ReadStrokeStyle(StyleSection& section, StrokeStyle& stroke)
   section.Read("taper_length", stroke.TaperLength, 0.0, 1000.0);
   section.Read("taper_width", stroke.TaperedWidth, 0.0, 1.0);
   section.Read("taper_opacity", stroke.TaperedOpacity, 0.0, 1.0);
+  section.Read("width_limit", stroke.WidthLimit, 0.0, 1.0);
   section.Read("overshoot", stroke.Overshoot, 0.0, 1000.0);
   section.Read("wobble", stroke.Wobble, 0.0, 100.0);
   section.Read("wobble_length", stroke.WobbleLength, 1.0, 10000.0);
@@ -292,8 +293,8 @@ const std::vector<std::string>& OutlineStyle::GetKindNames()
 //------------------------------------------------------------------------------
 bool StrokeStyle::NeedsAttributes() const
 {
-  return this->TaperLength > 0.0 || this->Overshoot > 0.0 || this->Wobble > 0.0 ||
-    !this->WidthBy.empty() || !this->OpacityBy.empty();
+  return this->TaperLength > 0.0 || this->WidthLimit > 0.0 || this->Overshoot > 0.0 ||
+    this->Wobble > 0.0 || !this->WidthBy.empty() || !this->OpacityBy.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -60,6 +60,7 @@ struct StrokeStyle
   double TaperLength = 0.0;
   double TaperedWidth = 0.0;   ///< 0..1, factor at the ends
   double TaperedOpacity = 1.0; ///< 0..1, factor at the ends
+  double WidthLimit = 0.0;     ///< 0..1, share of a stroke's size; 0: none
   double Overshoot = 0.0;
   double Wobble = 0.0;
   double WobbleLength = 60.0;

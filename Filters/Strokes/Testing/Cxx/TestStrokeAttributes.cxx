@@ -410,6 +410,74 @@ void TestAveragesOverCuts()
   }
 }
 
+// The widest place of small strokes is a share of their size; all else follows it.
+void TestWidthPerSize()
+{
+  const auto widths = [](const std::vector<Points>& lines, const std::vector<int>& layers,
+                        double widthPerSize, int unit = vtkNPRStrokeAttributes::MODEL)
+  {
+    const vtkSmartPointer<vtkPolyData> data = MakeLines(lines);
+    std::vector<float> given;
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      given.push_back(GetPoint(data, i)[0] > 1e-9 ? 2.0f : 1.0f);
+    }
+    AddPointArray(data, npr::names::Width, given);
+    AddCellArray(data, npr::names::HidingLayers, layers);
+    vtkNew<vtkNPRStrokeAttributes> filter;
+    filter->SetLengthUnit(unit);
+    filter->SetWidthPerSize(widthPerSize);
+    vtkPolyData* output = Run(filter, data);
+    std::vector<double> found;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      found.push_back(Get(output, npr::names::Width, i) / given[i]);
+    }
+    return found;
+  };
+  const auto expect = [](const std::vector<double>& found, double expected, const char* what)
+  {
+    for (const double factor : found)
+    {
+      Expect(factor, expected, 2e-3 * expected, what);
+    }
+  };
+  const Points circle = Circle(400, 3);
+  expect(widths({ circle }, { 0 }, 0.2), 0.2 * 6 / 2, "a circle is as large as its diameter");
+  expect(widths({ circle }, { 0 }, 0.5), 1, "a large one is as it was");
+  expect(widths({ circle }, { 0 }, 0), 1, "without a limit");
+  expect(widths({ circle }, { 0 }, 0.01), 0.25, "never less than a quarter");
+  const Points begin(circle.begin(), circle.begin() + 151);
+  const Points end(circle.begin() + 150, circle.end());
+  expect(widths({ begin, end }, { 0, 1 }, 0.2), 0.6, "a loop in parts is one loop");
+  const Points half(circle.begin() + 100, circle.begin() + 301); // of Width 1
+  expect(widths({ half }, { 0 }, 0.1), 0.6, "half a circle is as large as a whole one");
+  expect(widths({ { { -3, 0, 0 }, { -3, 2, 0 } } }, { 0 }, 0.5), 2 / vtkMath::Pi(),
+    "a straight stroke is as large as a half circle of its length");
+  expect(widths({ circle }, { 0 }, 3, vtkNPRStrokeAttributes::STROKE), 1.5 / vtkMath::Pi(),
+    "in shares of the length");
+
+  // As it is seen: turned by 60 degrees, a circle is an ellipse.
+  const vtkSmartPointer<vtkPolyData> data = MakeLines({ circle });
+  vtkNew<vtkCamera> camera;
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(50);
+  camera->SetPosition(0, 100 * std::sin(vtkMath::Pi() / 3), 100 * std::cos(vtkMath::Pi() / 3));
+  vtkNew<vtkNPRStrokeAttributes> filter;
+  filter->SetLengthUnitToView();
+  filter->SetCamera(camera);
+  filter->SetWidthPerSize(10);
+  vtkPolyData* output = Run(filter, data);
+  double length = 0; // of the ellipse with the half axes 3 and 1.5
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double angle = 2 * vtkMath::Pi() * (i + 0.5) / 1000;
+    length += 2 * vtkMath::Pi() / 1000 * std::hypot(3 * std::sin(angle), 1.5 * std::cos(angle));
+  }
+  const double size = 4 * vtkMath::Pi() * 3 * 1.5 / length;
+  Expect(Get(output, npr::names::Width, 0), 10 * size / 100, 1e-3, "an ellipse on the page");
+}
+
 void TestTerms()
 {
   vtkSmartPointer<vtkPolyData> data = MakeLines({ Straight(4, 4) });
@@ -695,6 +763,7 @@ int TestStrokeAttributes(int, char*[])
   TestCurvature();
   TestShade();
   TestAveragesOverCuts();
+  TestWidthPerSize();
   TestTerms();
   TestAverage();
   TestOvershoot();
