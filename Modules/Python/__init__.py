@@ -48,6 +48,7 @@ from .vtkNPRRenderingIllustration import (
 )
 from .vtkNPRRenderingOffscreen import vtkNPROffscreen
 from .define import Quantities, _raising_mistakes, define_lines  # noqa: F401
+from .errors import _raising_vtk_errors
 
 _LARGEST_SIDE = 16384  # of an image, in pixels
 
@@ -59,7 +60,8 @@ def illustrate(renderer, style="technical", lines=None):
     the name of a built-in style or the path of a style file, `lines` the kinds of lines to draw
     instead of the style's, also those of define_lines(): names, or the name of one. Returns the
     vtkNPRIllustration; keep it as long as the illustration is to be seen. Raises ValueError for a
-    style that is not valid.
+    style that is not valid, RuntimeError for errors of filters and readers that it runs, and what
+    the functions of define_lines() raise; the renderer is then as it was.
     """
     if isinstance(lines, str):
         lines = [lines]
@@ -69,9 +71,15 @@ def illustrate(renderer, style="technical", lines=None):
     illustration = vtkNPRIllustration()
     illustration.SetRenderer(renderer)
     illustration.SetStyle(document)
-    with _raising_mistakes():
-        if not illustration.Apply():
-            raise ValueError("there is no renderer to illustrate")
+    try:
+        with _raising_vtk_errors(), _raising_mistakes():
+            if not illustration.Apply():
+                raise ValueError("there is no renderer to illustrate")
+            if illustration.GetNumberOfLineTypes() > 0:
+                illustration.GetLines(_vtkPolyData())  # else the first render finds what is wrong
+    except BaseException:
+        illustration.Remove()
+        raise
     return illustration
 
 
@@ -79,7 +87,8 @@ def _get_surface(surface):
     """The vtkPolyData that is given, or that the last filter of a pipeline makes."""
     given = surface
     if isinstance(given, _vtkAlgorithm) and given.GetNumberOfOutputPorts() > 0:
-        given.Update()
+        with _raising_vtk_errors():
+            given.Update()
         surface = given.GetOutputDataObject(0)
     if not isinstance(surface, _vtkPolyData):
         raise TypeError(f"the surface must be a vtkPolyData, or a source or filter that makes one, not {type(given).__name__}")
@@ -102,7 +111,8 @@ def render(surface, path, style="technical", size=(1600, 1200), view="three-quar
     `view` is a name that vtkNPRViewpoint knows or (azimuth, elevation) in degrees; `size` is
     (width, height) in pixels, `lines` as for illustrate(). Raises TypeError for a surface of another
     kind, ValueError for what is not valid, OSError when the file can not be written, RuntimeError
-    where nothing can be drawn with, and what the functions of define_lines() raise.
+    where nothing can be drawn with and for errors of filters and readers, and what the functions of
+    define_lines() raise.
     """
     surface = _get_surface(surface)
     size = _check_size(size)
@@ -135,13 +145,13 @@ def render(surface, path, style="technical", size=(1600, 1200), view="three-quar
         raise ValueError(f"unknown view {view!r}; the views are {', '.join(vtkNPRViewpoint.GetViewNames())}")
     viewpoint.Apply(renderer)
     illustration = illustrate(renderer, style, lines)
-    with _raising_mistakes():
-        window.Render()
-
     grab = _vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
     grab.ShouldRerenderOff()
+    with _raising_vtk_errors(), _raising_mistakes():
+        window.Render()
+        grab.Update()
     writer = _vtkPNGWriter()
     writer.SetInputConnection(grab.GetOutputPort())
     writer.SetFileName(path)

@@ -8,11 +8,14 @@ import unittest
 import numpy
 import vtknpr
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkPNGReader
-from vtkmodules.vtkRenderingCore import vtkCamera
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 
 def make_sphere():
@@ -112,6 +115,42 @@ class TestPackage(unittest.TestCase):
         self.assertFalse(os.path.exists(self.image))
         with self.assertRaises(OSError):
             vtknpr.render(cylinder.GetOutput(), "/no/such/folder/image.png", size=(32, 32))
+
+    def test_errors_of_filters_and_readers_are_raised(self):
+        window = vtkOutputWindow.GetInstance()
+        missing = vtkXMLPolyDataReader()
+        missing.SetFileName("/no/such/file.vtp")
+        ply = vtkPLYReader()  # warns of it, and fails
+        ply.SetFileName("/no/such/file.ply")
+        for words, said in (
+            ({"surface": missing}, "/no/such/file.vtp"),
+            ({"surface": ply}, "Could not open PLY file"),
+            ({"lines": "isolines"}, "^The lines \"isolines\": a point array is needed.*no point arrays"),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex(RuntimeError, said):
+                vtknpr.render(**{"surface": make_sphere(), "path": self.image, "size": (64, 64), **words})
+            self.assertFalse(os.path.exists(self.image))
+        self.assertEqual(vtkOutputWindow.GetInstance(), window)
+
+    def test_illustrate_undoes_what_it_can_not_finish(self):
+        vtknpr.vtkNPROffscreen.Setup()
+        sphere = make_sphere()
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(sphere.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        renderer = vtkRenderer()
+        renderer.SetBackground(0.1, 0.2, 0.3)
+        renderer.AddActor(actor)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.AddRenderer(renderer)
+        with self.assertRaisesRegex(RuntimeError, "point array"):
+            vtknpr.illustrate(renderer, "ink", "isolines")
+        self.assertEqual(actor.GetMapper(), mapper)
+        self.assertEqual(renderer.GetActors().GetNumberOfItems(), 1)
+        self.assertIsNone(renderer.GetPass())
+        self.assertEqual(renderer.GetBackground(), (0.1, 0.2, 0.3))
 
 
 if __name__ == "__main__":
