@@ -65,7 +65,8 @@ void AddDoctorCommand(CLI::App& program, Reporter& reporter)
 {
   CLI::App* command = program.add_subcommand(
     "doctor", "Say what this machine draws with, and why; NPR_OFFSCREEN chooses the backend");
-  command->footer("Example: NPR_OFFSCREEN=egl npr doctor (native, egl, osmesa or auto)");
+  command->footer("NPR_OFFSCREEN is native, egl (a GPU where there is one), osmesa or "
+                  "auto.\nExample: NPR_OFFSCREEN=egl npr doctor");
   command->callback([&reporter]() { Diagnose(reporter); });
 }
 }

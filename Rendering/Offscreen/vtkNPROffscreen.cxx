@@ -29,7 +29,7 @@ constexpr const char* Environment = "NPR_OFFSCREEN";
 /** A way to a picture. */
 struct Way
 {
-  const char* Name;
+  const char* Name; ///< begins with the backend's
   int Backend;
   /** Tries it; in words what was found, or why it does not work. */
   bool (*Works)(std::string& reason);
@@ -54,12 +54,12 @@ bool Try(const std::shared_ptr<npr::GLContext>& context, std::string& reason)
 // The order is that of AUTO; the class's comment says why.
 const std::array<Way, 4> Ways = { {
   { "native", vtkNPROffscreen::NATIVE, npr::HasXDisplay },
-  { "egl-gpu", vtkNPROffscreen::EGL,
+  { "egl (GPU)", vtkNPROffscreen::EGL,
     [](std::string& reason)
     { return Try(npr::NewEGLContext(npr::EGLKind::GPU, reason), reason); } },
   { "osmesa", vtkNPROffscreen::OSMESA,
     [](std::string& reason) { return Try(npr::NewOSMesaContext(reason), reason); } },
-  { "egl-software", vtkNPROffscreen::EGL,
+  { "egl (software)", vtkNPROffscreen::EGL,
     [](std::string& reason)
     { return Try(npr::NewEGLContext(npr::EGLKind::Software, reason), reason); } },
 } };
@@ -84,6 +84,16 @@ const char* BackendName(int backend)
   return backend >= 0 && backend < static_cast<int>(names.size())
     ? names[static_cast<std::size_t>(backend)]
     : nullptr;
+}
+
+std::string KnownBackends()
+{
+  std::string names;
+  for (int backend = 0; BackendName(backend); ++backend)
+  {
+    names += (names.empty() ? "" : ", ") + std::string(BackendName(backend));
+  }
+  return names;
 }
 
 int ParseBackend(const std::string& name)
@@ -221,8 +231,8 @@ bool vtkNPROffscreen::Setup(const char* name)
   const int backend = ParseBackend(name ? name : "");
   if (backend < 0)
   {
-    return Fail(std::string("Unknown backend '") + (name ? name : "") +
-      "'. Choose one of native, egl, osmesa, auto.");
+    return Fail(std::string("Unknown backend '") + (name ? name : "") + "'. Choose one of " +
+      KnownBackends() + ".");
   }
   return Setup(backend);
 }
@@ -243,8 +253,8 @@ bool vtkNPROffscreen::Setup(int backend)
     if (backend < 0)
     {
       return Fail(std::string("The environment variable ") + Environment +
-        " has the unknown value '" + value +
-        "'. Set it to one of native, egl, osmesa, auto, or unset it.");
+        " has the unknown value '" + value + "'. Set it to one of " + KnownBackends() +
+        ", or unset it.");
     }
     askedBy = std::string("the environment variable ") + Environment + " asks for ";
   }

@@ -83,9 +83,10 @@ public:
 
   ///@{
   /**
-   * The four ways to a picture, in the order in which AUTO tries them: "native", "egl-gpu",
-   * "osmesa", "egl-software". For each: whether it was taken, and why, or why not. Each is tried
-   * when it is asked about, so these calls can take some tenths of a second.
+   * The four ways to a picture, in the order in which AUTO tries them: "native", "egl (GPU)",
+   * "osmesa", "egl (software)". The first word is the backend's name, as Setup() and NPR_OFFSCREEN
+   * take it; "egl" is a GPU where there is one. For each: whether it was taken, and why, or why
+   * not. Each is tried when it is asked about, so these calls can take some tenths of a second.
    */
   static int GetNumberOfBackends();
   static const char* GetBackendName(int index);

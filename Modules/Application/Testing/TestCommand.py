@@ -4,6 +4,7 @@
 
 import math
 import os
+import re
 import signal
 import struct
 import subprocess
@@ -360,6 +361,17 @@ class TestCommand(CommandTest):
                 for line in ("VTK", "threads", "window", "GL renderer", "GL version", "not taken"):
                     self.assertIn(line, text)
                 self.assertIn(window, text)
+
+    def test_names_of_backends_agree(self):
+        text = self.run_well("doctor").stdout
+        listed = {row.split()[0] for row in text.splitlines() if "taken: " in row}
+        self.assertEqual(listed, {"native", "egl", "osmesa"})
+        result = run("doctor", environment={"NPR_OFFSCREEN": "abacus"})
+        known = re.search(r"one of ([\w, ]+), or unset", result.stderr).group(1).split(", ")
+        self.assertEqual(set(known), listed | {"auto"})
+        for name in known:
+            result = run("doctor", environment={"NPR_OFFSCREEN": name})
+            self.assertNotIn("unknown value", result.stderr)
 
     def test_demo(self):
         folder = self.path("demo")
