@@ -32,7 +32,6 @@ struct CurvatureCommandOptions
   ModelOptions Models;
   ViewOptions View;
   CurvatureOptions Curvature;
-  bool Sample = false;
   std::string Output;
   std::string Show;
 };
@@ -73,7 +72,7 @@ void WriteSurface(vtkPolyData* surface, const std::string& file)
 /// All that can be refused is refused before the long work.
 void Check(const CurvatureCommandOptions& options)
 {
-  if (options.Sample == !options.Models.Files.empty() || options.Models.Files.size() > 1)
+  if (options.Models.Sample == !options.Models.Files.empty() || options.Models.Files.size() > 1)
   {
     throw CommandError(
       UsageError, "curvature needs one model file, or --sample (see npr curvature --help)");
@@ -111,7 +110,7 @@ void Check(const CurvatureCommandOptions& options)
 
 vtkSmartPointer<vtkPolyData> GetModel(const CurvatureCommandOptions& options, Reporter& reporter)
 {
-  if (options.Sample)
+  if (options.Models.Sample)
   {
     vtkNew<vtkNPRSampleSource> sample;
     sample->Update();
@@ -146,7 +145,7 @@ void MakeCurvature(const CurvatureCommandOptions& options, Reporter& reporter)
   if (!reporter.Quiet)
   {
     std::printf("%-14s %s\n", "file",
-      options.Sample ? "the built-in sample" : options.Models.Files.front().c_str());
+      options.Models.Sample ? "the built-in sample" : options.Models.Files.front().c_str());
     std::printf("%-14s %lld\n", "triangles", static_cast<long long>(surface->GetNumberOfPolys()));
     options.Curvature.Print(surface);
     PrintCurvature(surface);
@@ -161,8 +160,7 @@ void AddCurvatureCommand(CLI::App& program, Reporter& reporter)
   CLI::App* command = program.add_subcommand(
     "curvature", "Estimate curvature; write it as arrays of the surface, or draw it");
   auto options = std::make_shared<CurvatureCommandOptions>();
-  options->Models.AddTo(*command)->required(false);
-  command->add_flag("--sample", options->Sample, "Take the built-in sample instead of a model");
+  options->Models.AddWithSampleTo(*command, "Take the built-in sample instead of a model");
   command->add_option("-o,--output", options->Output,
     "A surface with all arrays, .vtp or .vtk; or an image: .png, .jpg, .tif, .bmp or .ppm. "
     "Without it only the statistics are printed");

@@ -35,6 +35,11 @@ struct RenderOptions
 void Render(const RenderOptions& options, Reporter& reporter)
 {
   // All that can be refused is refused before the long work.
+  if (options.Models.Sample == !options.Models.Files.empty())
+  {
+    throw CommandError(
+      UsageError, "render needs model files, or --sample, not both (see npr render --help)");
+  }
   const std::array<int, 2> size = options.View.GetSize();
   const ViewSpecification view = options.View.Parse();
   vtkSmartPointer<vtkNPRDrawingWriter> drawing;
@@ -82,7 +87,7 @@ void AddRenderCommand(CLI::App& program, Reporter& reporter)
   CLI::App* command =
     program.add_subcommand("render", "Draw models into an image or a vector drawing");
   auto options = std::make_shared<RenderOptions>();
-  options->Models.AddTo(*command);
+  options->Models.AddWithSampleTo(*command, "Draw the built-in sample instead of a model");
   command
     ->add_option("-o,--output", options->Output,
       "The image: .png, .jpg, .tif, .bmp or .ppm; or the vector drawing: .svg or .pdf")
@@ -94,6 +99,7 @@ void AddRenderCommand(CLI::App& program, Reporter& reporter)
   command->footer(
     "Examples:\n"
     "  npr render scan.ply -o scan.png\n"
+    "  npr render --sample -o sample.png --style brush\n"
     "  npr render part.stl -o part.png --style ink --projection parallel\n"
     "  npr render head.nii.gz --iso 60 -o head.png --view 40,10\n"
     "  npr render a.obj b.obj -o both.png --style mine.json --background transparent\n"

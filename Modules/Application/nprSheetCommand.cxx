@@ -51,7 +51,6 @@ struct SheetOptions
   ModelOptions Models;
   ViewOptions View;
   VisibilityOptions Visibility;
-  bool Sample = false;
   std::string Lines;
   std::string Output;
 };
@@ -204,7 +203,7 @@ void CheckSize(const Layout& layout)
 void MakeSheet(const SheetOptions& options, Reporter& reporter)
 {
   // All that can be refused is refused before the long work.
-  if (options.Output.empty() || (options.Sample && !options.Models.Files.empty()))
+  if (options.Output.empty() || (options.Models.Sample && !options.Models.Files.empty()))
   {
     throw CommandError(UsageError,
       "sheet needs -o IMAGE, and a model file or --sample, not both (see npr sheet --help)");
@@ -234,10 +233,6 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
   RenderJob job(reporter, options.View.GetSize());
   reporter.BeginStage("read");
   options.Models.Import(job.GetRenderer(), reporter);
-  if (options.Models.Files.empty())
-  {
-    AddSample(job.GetRenderer());
-  }
   reporter.EndStage();
   const ModelData data = FindData(job.GetRenderer());
   if (kinds.empty())
@@ -301,9 +296,8 @@ void AddSheetCommand(CLI::App& program, Reporter& reporter)
     program.add_subcommand("sheet", "Draw each kind of line by itself, side by side in one image");
   auto options = std::make_shared<SheetOptions>();
   options->View.Size = "800x600";
-  options->Models.AddTo(*command)->required(false);
-  command->add_flag(
-    "--sample", options->Sample, "Draw the built-in sample; so it is without a model, too");
+  options->Models.AddWithSampleTo(
+    *command, "Draw the built-in sample; so it is without a model, too");
   command->add_option("-o,--output", options->Output, "The image: .png, .jpg, .tif, .bmp or .ppm");
   command->add_option("--lines", options->Lines,
     "Which kinds of lines, such as contours,creases (npr lines --list); default: all but "
@@ -316,6 +310,11 @@ void AddSheetCommand(CLI::App& program, Reporter& reporter)
                   "  npr sheet -o sheet.png\n"
                   "  npr sheet scan.ply -o sheet.png --lines contours,suggestive,ridges --size "
                   "600x600");
-  command->callback([options, &reporter]() { MakeSheet(*options, reporter); });
+  command->callback(
+    [options, &reporter]()
+    {
+      options->Models.Sample |= options->Models.Files.empty();
+      MakeSheet(*options, reporter);
+    });
 }
 }

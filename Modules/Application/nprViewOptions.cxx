@@ -167,6 +167,13 @@ CLI::Option* ModelOptions::AddTo(CLI::App& command)
 }
 
 //------------------------------------------------------------------------------
+void ModelOptions::AddWithSampleTo(CLI::App& command, const std::string& description)
+{
+  this->AddTo(command)->required(false);
+  command.add_flag("--sample", this->Sample, description);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkNPRModelImporter> ModelOptions::Read(
   const std::string& file, Reporter& reporter) const
 {
@@ -195,6 +202,10 @@ vtkSmartPointer<vtkNPRModelImporter> ModelOptions::Read(
 //------------------------------------------------------------------------------
 void ModelOptions::Import(vtkRenderer* renderer, Reporter& reporter) const
 {
+  if (this->Sample)
+  {
+    AddSample(renderer);
+  }
   for (const std::string& file : this->Files)
   {
     const auto importer = this->Read(file, reporter);

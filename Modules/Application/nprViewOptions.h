@@ -32,16 +32,19 @@ struct ModelOptions
   std::vector<std::string> Files;
   std::optional<double> IsoValue;
   double VolumeSmoothing = 1.0;
+  bool Sample = false; ///< The built-in one, instead of files.
 
   /// The options that say how a file is read.
   void AddReadingTo(CLI::App& command);
   /// These and the files. Returns the option of the files, which is required.
   CLI::Option* AddTo(CLI::App& command);
+  /// The files are not required then.
+  void AddWithSampleTo(CLI::App& command, const std::string& description);
 
   /// Read one file. Throws a CommandError that names it; warns of what had to be left out.
   vtkSmartPointer<vtkNPRModelImporter> Read(const std::string& file, Reporter& reporter) const;
-  /// Read every file into the renderer. Throws a CommandError that names the file, also where none
-  /// of its polygons has an area, and so nothing to draw.
+  /// Read every file, or put the sample, into the renderer. Throws a CommandError that names the
+  /// file, also where none of its polygons has an area, and so nothing to draw.
   void Import(vtkRenderer* renderer, Reporter& reporter) const;
   /// Which axis is up by the custom of the files' formats; y where they differ.
   int GetUpAxis() const;

@@ -127,6 +127,8 @@ class TestBadInput(CommandTest):
             ["frobnicate"],
             [],
             ["render", self.model],
+            ["render", "-o", self.image],
+            self.render("--sample"),
             self.render("--size", "0x10"),
             self.render("--size", "big"),
             self.render("--view", "sideways"),

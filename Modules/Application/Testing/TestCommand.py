@@ -140,6 +140,14 @@ class TestCommand(CommandTest):
                 with open(path, "rb") as file:
                     self.assertTrue(file.read(2) == magic)
 
+    def test_render_the_sample(self):
+        folder = self.path("demo")
+        size = ("--size", "160x120")
+        self.run_well("demo", folder, *size)
+        self.run_well("render", "--sample", "-o", self.image, "--style", "ink", *size)
+        self.assertEqual(read_png(self.image), read_png(os.path.join(folder, "ink.png")))
+        self.run_well("render", "--sample", "-o", self.path("sample.svg"), "--style", "ink")
+
     def test_several_models(self):
         other = self.write("other.obj", TETRAHEDRON.replace("v 0 0 0", "v 2 2 2"))
         self.run_well("render", self.model, other, "-o", self.image, "--size", "64x64")
