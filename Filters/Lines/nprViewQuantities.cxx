@@ -365,4 +365,15 @@ const ViewQuantity* FindViewQuantity(const std::string& name)
     [&](const ViewQuantity& quantity) { return name == quantity.Name; });
   return found == quantities.end() ? nullptr : &*found;
 }
+
+//------------------------------------------------------------------------------
+std::string DescribeViewQuantities()
+{
+  std::string names;
+  for (const ViewQuantity& quantity : GetViewQuantities())
+  {
+    names += (names.empty() ? "" : ", ") + std::string(quantity.Name);
+  }
+  return names;
+}
 }

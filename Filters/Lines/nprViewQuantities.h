@@ -73,6 +73,9 @@ VTKNPRFILTERSLINES_EXPORT const std::vector<ViewQuantity>& GetViewQuantities();
 /// Null when there is none of the name.
 VTKNPRFILTERSLINES_EXPORT const ViewQuantity* FindViewQuantity(const std::string& name);
 
+/// Their names, parted by commas.
+VTKNPRFILTERSLINES_EXPORT std::string DescribeViewQuantities();
+
 /// radialCurvature[i - begin] = kr at the points begin <= i < end: II(w,w) / |w|^2 times the length
 /// scale, where w is the part of the direction to the eye in the tangent plane. 0 where the surface
 /// is seen head-on.

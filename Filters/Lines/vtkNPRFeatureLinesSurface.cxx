@@ -4,6 +4,7 @@
 #include "vtkNPRFeatureLines.h"
 
 #include "nprArrayNames.h"
+#include "nprViewQuantities.h"
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRFeatureLinesInternals.h"
 #include "vtkNPRLineDefinition.h"
@@ -135,8 +136,9 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
   }
   for (const npr::LineQuantity& quantity : internal.Quantities)
   {
-    const std::string missing = LoadArrays(
-      surface, input, Quote("The quantity", quantity.GetName()), quantity.GetRequiredArrays());
+    const std::string missing = LoadArrays(surface, input,
+      Quote("The quantity", quantity.GetName()), quantity.GetRequiredArrays(),
+      " (the quantities of all surfaces are " + npr::DescribeViewQuantities() + ")");
     if (!missing.empty())
     {
       vtkErrorMacro(<< missing);

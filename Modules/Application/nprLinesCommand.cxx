@@ -7,6 +7,7 @@
 #include "nprReporter.h"
 #include "nprStyleOptions.h"
 #include "nprViewOptions.h"
+#include "nprViewQuantities.h"
 #include "vtkNPRIllustration.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRLineDefinition.h"
@@ -171,8 +172,8 @@ void AddLinesCommand(CLI::App& program, Reporter& reporter)
   command->add_option("--lines", options->Style.Lines, "Which kinds of lines")
     ->capture_default_str();
   command->add_option("--quantities", options->Quantities,
-    "What points carry of the surface: of formulas (kr,K,H,k1,ndotv,...), or the model's point "
-    "arrays");
+    "What points carry of the surface: " + DescribeViewQuantities() +
+      " (as in formulas), or the model's point arrays");
   options->Style.AddSettingsTo(*command);
   command->add_flag("--list", options->List, "List the kinds of lines");
   options->View.AddTo(*command);

@@ -204,7 +204,8 @@ bool vtkNPRIllustrationStyle::AddQuantity(const std::string& name)
   lines->AddQuantity(name.c_str());
   if (lines->GetNumberOfQuantities() == 0)
   {
-    return this->Fail("lines can not carry a quantity \"" + name + "\"");
+    return this->Fail("lines can not carry a quantity \"" + name +
+      "\": they have an array of this name of their own");
   }
   this->Document->Quantities.push_back(name);
   this->ErrorMessage.clear();

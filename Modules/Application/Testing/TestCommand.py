@@ -273,6 +273,7 @@ class TestCommand(CommandTest):
         for code, quantities, *said in (
             (1, "K,Strength", "--quantities", '"Strength"'),
             (2, "Heat", '"Heat"', "no point arrays"),
+            (2, "n.x", '"n.x"', "ndotv, sintheta, kr, dwkr, k1, k2, K, H, P, Q, S, T, e1, e2, n, v, w, p"),
         ):
             with self.subTest(quantities=quantities):
                 result = run("lines", self.model, "-o", path, "--quantities", quantities)
