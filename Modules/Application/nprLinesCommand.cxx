@@ -141,6 +141,7 @@ void MakeLines(const LinesOptions& options, Reporter& reporter)
   options.Models.Import(renderer, reporter);
   reporter.EndStage();
   options.View.Apply(renderer, options.Models);
+  PointHeightsUp(style, options.View.GetUp(options.Models));
 
   vtkNew<vtkNPRIllustration> illustration;
   reporter.Watch(illustration, "extracting");

@@ -67,6 +67,7 @@ void Render(const RenderOptions& options, Reporter& reporter)
   options.Models.Import(job.GetRenderer(), reporter);
   reporter.EndStage();
   options.View.Apply(job.GetRenderer(), options.Models);
+  PointHeightsUp(style, options.View.GetUp(options.Models));
   if (drawing)
   {
     options.Drawing.FitViewToPage(job.GetRenderer(), drawing, reporter);

@@ -7,6 +7,7 @@
 #include "nprImageFile.h"
 #include "nprRenderJob.h"
 #include "nprReporter.h"
+#include "nprStyleOptions.h"
 #include "nprViewOptions.h"
 #include "nprVisibilityOptions.h"
 #include "vtkNPRIllustration.h"
@@ -16,7 +17,6 @@
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
-#include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -242,18 +242,11 @@ void MakeSheet(const SheetOptions& options, Reporter& reporter)
   const Layout layout(static_cast<int>(kinds.size()), options.View.GetSize());
   options.View.Apply(job.GetRenderer(), options.Models);
   style->LoadString(MakeStyle(kinds));
-  const auto set = [&](const char* kind, const char* parameter, const std::string& value)
+  if (!data.PointArray.empty() && style->UsesLineDefault("isolines", "array"))
   {
-    if (!value.empty() && std::count(kinds.begin(), kinds.end(), kind) > 0)
-    {
-      style->SetLineParameter(kind, parameter, value);
-    }
-  };
-  set("isolines", "array", data.PointArray);
-  // Heights are above the ground, as on maps.
-  const double* const up = job.GetRenderer()->GetActiveCamera()->GetViewUp();
-  set("topographic", "direction",
-    std::to_string(up[0]) + "," + std::to_string(up[1]) + "," + std::to_string(up[2]));
+    style->SetLineParameter("isolines", "array", data.PointArray);
+  }
+  PointHeightsUp(style, options.View.GetUp(options.Models));
   options.Visibility.ApplyTo(job.GetIllustration());
   job.Apply(style);
   // All lines are extracted here, once.

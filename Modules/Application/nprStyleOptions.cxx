@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace npr
 {
@@ -151,6 +152,17 @@ void StyleOptions::ApplyTo(vtkNPRIllustrationStyle* style, Reporter& reporter) c
   if (!this->Background.empty() && !this->IsTransparent())
   {
     check(style->SetBackground(this->Background), UsageError);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PointHeightsUp(vtkNPRIllustrationStyle* style, const std::array<double, 3>& up)
+{
+  if (style->UsesLineDefault("topographic", "direction"))
+  {
+    char direction[128];
+    std::snprintf(direction, sizeof(direction), "%.17g,%.17g,%.17g", up[0], up[1], up[2]);
+    style->SetLineParameter("topographic", "direction", direction);
   }
 }
 }

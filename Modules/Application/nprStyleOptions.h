@@ -7,6 +7,7 @@
 #ifndef nprStyleOptions_h
 #define nprStyleOptions_h
 
+#include <array>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -43,6 +44,9 @@ private:
   /// Makes the definitions known by their names, and returns these.
   std::vector<std::string> Define() const;
 };
+
+/// Heights are above the ground, as on maps, where nobody has given topographic lines a direction.
+void PointHeightsUp(vtkNPRIllustrationStyle* style, const std::array<double, 3>& up);
 }
 
 #endif

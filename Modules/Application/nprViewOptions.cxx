@@ -275,8 +275,8 @@ void ViewOptions::AddTo(CLI::App& command)
   command.add_option("--target", this->Target, "Point to look at, X,Y,Z; default: the middle")
     ->needs("--eye");
   command.add_option("--up", this->Up,
-    "Which way is up: x, y, z, or with --eye a vector X,Y,Z; default: z if all models are STL, "
-    "NIfTI, NRRD or MetaImage, else y");
+    "Which way is up, also for the heights of topographic lines: x, y, z, or with --eye a vector "
+    "X,Y,Z; default: z if all models are STL, NIfTI, NRRD or MetaImage, else y");
 }
 
 //------------------------------------------------------------------------------
@@ -354,18 +354,24 @@ ViewSpecification ViewOptions::Parse() const
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 3> ViewOptions::GetUp(const ModelOptions& models) const
+{
+  const ViewSpecification view = this->Parse();
+  return view.Up.value_or(MakeAxis(view.UpAxis.value_or(models.GetUpAxis())));
+}
+
+//------------------------------------------------------------------------------
 void ViewOptions::Apply(vtkRenderer* renderer, const ModelOptions& models) const
 {
   const ViewSpecification view = this->Parse();
-  const int upAxis = view.UpAxis.value_or(models.GetUpAxis());
   if (view.Eye)
   {
-    ApplyEye(renderer, view, view.Up.value_or(MakeAxis(upAxis)));
+    ApplyEye(renderer, view, this->GetUp(models));
     return;
   }
   vtkNew<vtkNPRViewpoint> viewpoint;
   viewpoint->SetParallelProjection(view.IsParallel);
-  viewpoint->SetUpAxis(upAxis);
+  viewpoint->SetUpAxis(view.UpAxis.value_or(models.GetUpAxis()));
   if (view.Name.empty())
   {
     viewpoint->SetAzimuth(view.Azimuth);

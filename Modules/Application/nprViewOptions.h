@@ -82,6 +82,9 @@ struct ViewOptions
   /// Throws a CommandError where the words make no sense; to be called before any long work.
   ViewSpecification Parse() const;
 
+  /// Which way is up, in the world.
+  std::array<double, 3> GetUp(const ModelOptions& models) const;
+
   /// Width and height in pixels.
   std::array<int, 2> GetSize() const;
 

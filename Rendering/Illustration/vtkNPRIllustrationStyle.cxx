@@ -214,6 +214,19 @@ bool vtkNPRIllustrationStyle::AddQuantity(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+bool vtkNPRIllustrationStyle::UsesLineDefault(
+  const std::string& type, const std::string& parameter) const
+{
+  const std::vector<npr::LineStyle>& lines = this->Document->Lines;
+  return std::any_of(lines.begin(), lines.end(),
+    [&](const npr::LineStyle& line)
+    {
+      return !line.Optional && npr::IsCalled(line, type) &&
+        line.DefinitionParameters.count(parameter) == 0;
+    });
+}
+
+//------------------------------------------------------------------------------
 bool vtkNPRIllustrationStyle::SetLineParameter(
   const std::string& type, const std::string& parameter, const std::string& value)
 {

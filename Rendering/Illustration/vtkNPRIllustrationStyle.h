@@ -69,6 +69,10 @@ public:
   /// Draw these kinds of lines, too, where they are not drawn yet. They look as by SelectLines().
   bool AddLines(const std::vector<std::string>& types);
 
+  /// Whether lines of the kind are drawn to which neither the style nor SetLineParameter() gives
+  /// this parameter, so that its default counts.
+  bool UsesLineDefault(const std::string& type, const std::string& parameter) const;
+
   /// Set a parameter of the kind of lines that are drawn: a text, or numbers parted by commas.
   bool SetLineParameter(
     const std::string& type, const std::string& parameter, const std::string& value);

@@ -193,6 +193,35 @@ class TestCommand(CommandTest):
         self.run_well("lines", self.model, "-o", many, "--lines", "topographic", "--set", "topographic.levels=8")
         self.assertLess(len(read_segments(few)), len(read_segments(many)))
 
+    @unittest.skipUnless(vtkXMLPolyDataReader, "needs VTK's Python modules")
+    def test_heights_are_upwards(self):
+        stl = self.write("model.stl", TETRAHEDRON_STL)
+        style = self.write("map.json", '{"lines": [{"type": "topographic", "direction": [1, 0, 0]}]}')
+        path = self.path("lines.vtp")
+        for model, words, axis in (
+            (self.model, [], 1),
+            (stl, [], 2),
+            (stl, ["--up", "x"], 0),
+            (self.model, ["--eye", "3,2,4", "--up", "0,0,2"], 2),
+            (self.model, ["--set", "topographic.direction=3,0,0"], 0),
+        ):
+            with self.subTest(words=words):
+                self.run_well("lines", model, "-o", path, "--lines", "topographic", *words)
+                segments = read_segments(path)
+                self.assertGreater(len(segments), 10)
+                for a, b in segments:
+                    self.assertAlmostEqual(a[axis], b[axis], 5)
+        images = []
+        for words in (["--up", "y"], ["--set", "topographic.direction=0,1,0"], ["--set", "topographic.direction=0,0,1"]):
+            self.run_well("render", self.model, "-o", self.image, "--lines", "topographic", "--style", "ink", "--size", "64x64", *words)
+            images.append(read_png(self.image)[3])
+        self.assertEqual(images[0], images[1])
+        self.assertNotEqual(images[0], images[2])
+        self.run_well("render", self.model, "-o", self.image, "--style", style, "--size", "64x64")
+        of_style = read_png(self.image)[3]
+        self.run_well("render", self.model, "-o", self.image, "--style", style, "--size", "64x64", "--set", "topographic.direction=1,0,0")
+        self.assertEqual(of_style, read_png(self.image)[3], "what a style says counts")
+
     def test_lines(self):
         path = self.path("lines.vtp")
         self.run_well("lines", self.model, "-o", path, "--lines", "creases")
