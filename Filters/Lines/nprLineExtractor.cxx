@@ -151,7 +151,7 @@ const float* LineExtractor::GetDoubts(const LineOptions& options) const
 {
   return !options.KeepsDoubtful && this->Definition.NeedsDerivatives() &&
       this->Surface.HasArray(names::DerivativeDoubt)
-    ? this->Surface.GetComponent(names::DerivativeDoubt, 0)
+    ? this->Definition.GetDoubts(this->Surface)
     : nullptr;
 }
 

@@ -3,7 +3,9 @@
 #include "nprSmoothShape.h"
 
 #include "nprArrayNames.h"
-#include "nprSurfaceDiffusion.h"
+
+#include <algorithm>
+#include <complex>
 
 namespace npr
 {
@@ -28,7 +30,8 @@ Tuples<Size> GetTuples(const LineSurface& surface, const char* name)
 //------------------------------------------------------------------------------
 SmoothShape::SmoothShape(const LineSurface& surface, double smoothing, bool withNormals)
   : Normals(GetTuples<3>(surface, names::Normals)),
-    Tensors(GetTuples<6>(surface, names::CurvatureTensor)), IsNumber(Tensors.size())
+    Tensors(GetTuples<6>(surface, names::CurvatureTensor)), IsNumber(Tensors.size()),
+    Radius(smoothing * surface.GetLengthScale())
 {
   const double scale = surface.GetLengthScale();
   for (std::size_t i = 0; i < this->Tensors.size(); ++i)
@@ -47,8 +50,8 @@ SmoothShape::SmoothShape(const LineSurface& surface, double smoothing, bool with
   }
   TriangleMesh mesh = surface.GetMesh();
   mesh.BuildIncidence();
-  const SurfaceDiffusion diffusion(mesh, this->Normals);
-  diffusion.SmoothTensors(this->Tensors, smoothing * scale);
+  this->Diffusion = SurfaceDiffusion(mesh, this->Normals);
+  this->Diffusion.SmoothTensors(this->Tensors, this->Radius);
   if (withNormals)
   {
     Tuples<3> smooth = this->Normals;
@@ -59,11 +62,24 @@ SmoothShape::SmoothShape(const LineSurface& surface, double smoothing, bool with
         smooth[i].setZero();
       }
     }
-    diffusion.SmoothNormals(smooth, smoothing * scale);
+    this->Diffusion.SmoothNormals(smooth, this->Radius);
     for (std::size_t i = 0; i < smooth.size(); ++i)
     {
       this->Normals[i] = this->IsNumber[i] ? smooth[i] : this->Normals[i];
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void SmoothShape::Smooth(std::vector<float>& values, double radius) const
+{
+  if (!(this->Radius > 0.0))
+  {
+    return;
+  }
+  SurfaceDiffusion::Field field(values.begin(), values.end());
+  this->Diffusion.Smooth(field, 0, radius * this->Radius);
+  std::transform(field.begin(), field.end(), values.begin(),
+    [](const std::complex<float>& value) { return value.real(); });
 }
 }

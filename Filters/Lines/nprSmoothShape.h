@@ -4,6 +4,7 @@
 #define nprSmoothShape_h
 
 #include "nprLineSurface.h"
+#include "nprSurfaceDiffusion.h"
 #include "nprTupleArrays.h"
 
 #include <vector>
@@ -18,9 +19,16 @@ struct SmoothShape
   /// @param withNormals whether normals are smoothed, too
   SmoothShape(const LineSurface& surface, double smoothing, bool withNormals);
 
+  /// Smooths a field of numbers along the surface; the radius in the tensors' radii.
+  void Smooth(std::vector<float>& values, double radius) const;
+
   Tuples<3> Normals;
   Tuples<6> Tensors;          ///< times the length scale; 0 where they are no numbers
   std::vector<char> IsNumber; ///< of the point's normal and tensor
+
+private:
+  double Radius; // length
+  SurfaceDiffusion Diffusion;
 };
 }
 

@@ -148,7 +148,9 @@ bool vtkNPRFeatureLines::PrepareSurface(vtkPolyData* input)
   }
   // Normals of lines are welcome, but creases and boundaries do without.
   surface.LoadArray(input, npr::names::Normals, 3);
-  if (surface.HasArray(npr::names::CurvatureDerivatives))
+  if (surface.HasArray(npr::names::CurvatureDerivatives) ||
+    std::any_of(internal.Entries.begin(), internal.Entries.end(),
+      [](const Internals::Entry& entry) { return entry.Definition->NeedsDerivatives(); }))
   {
     surface.LoadArray(input, npr::names::DerivativeDoubt, 1);
   }

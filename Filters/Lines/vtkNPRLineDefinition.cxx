@@ -321,6 +321,12 @@ bool vtkNPRLineDefinition::NeedsDerivatives() const
 }
 
 //------------------------------------------------------------------------------
+const float* vtkNPRLineDefinition::GetDoubts(const npr::LineSurface& surface) const
+{
+  return surface.GetComponent(npr::names::DerivativeDoubt, 0);
+}
+
+//------------------------------------------------------------------------------
 void vtkNPRLineDefinition::EvaluateField(
   const npr::LineSurface&, const npr::LineView&, vtkIdType begin, vtkIdType end, float* field) const
 {

@@ -141,6 +141,10 @@ public:
   /// array DerivativeDoubt says that these mean nothing. Default is whether these are required, but
   /// not to find a maximum: that of the curvature across a fillet shows on slivers, too.
   virtual bool NeedsDerivatives() const;
+  /// How doubtful the lines are at each point: they fade out while that grows to 1. Only asked
+  /// where they need derivatives and the surface has the array DerivativeDoubt, which is the
+  /// default.
+  virtual const float* GetDoubts(const npr::LineSurface& surface) const;
   /// The name of the cell array whose values the definition compares (see
   /// npr::LineSurface::GetRegions()); null for none.
   virtual const char* GetRequiredCellArray() const

@@ -19,6 +19,11 @@ namespace
 {
 using Index = npr::TriangleMesh::Index;
 
+// That a single sliver is beyond all doubt says no more of the curvature around.
+constexpr float LargestDoubt = 3.0f;
+// A line is where what is on its two sides cancels out, so their doubt counts, too.
+constexpr double WidthOfDoubt = 2.0;
+
 // Of a function that is linear in each triangle: the length of the mean of its gradients around
 // each point, by their areas.
 std::vector<float> MeasureGradients(const npr::TriangleMesh& mesh, const std::vector<float>& field)
@@ -105,6 +110,7 @@ void vtkNPRZeroCurvatureLines::BeginView(const npr::LineSurface& surface, const 
                                        : std::numeric_limits<float>::quiet_NaN();
     density[i] = static_cast<float>(this->GetDensity(this->Field[i]));
   }
+  this->SetDoubts(surface, shape);
   this->Gradients = MeasureGradients(mesh, this->Field);
   for (float& gradient : this->Gradients)
   {
@@ -117,8 +123,26 @@ void vtkNPRZeroCurvatureLines::BeginView(const npr::LineSurface& surface, const 
 }
 
 //------------------------------------------------------------------------------
+// A mean of curvatures is as doubtful as these are in the mean.
+void vtkNPRZeroCurvatureLines::SetDoubts(
+  const npr::LineSurface& surface, const npr::SmoothShape& shape)
+{
+  this->Doubts.clear();
+  if (!surface.HasArray(npr::names::DerivativeDoubt))
+  {
+    return;
+  }
+  const float* const doubts = surface.GetComponent(npr::names::DerivativeDoubt, 0);
+  this->Doubts.resize(shape.Tensors.size());
+  std::transform(doubts, doubts + this->Doubts.size(), this->Doubts.begin(),
+    [](float doubt) { return doubt < LargestDoubt ? doubt : LargestDoubt; });
+  shape.Smooth(this->Doubts, WidthOfDoubt);
+}
+
+//------------------------------------------------------------------------------
 void vtkNPRZeroCurvatureLines::EndView(const npr::LineSurface&)
 {
+  std::vector<float>().swap(this->Doubts);
   std::vector<float>().swap(this->Field);
   std::vector<float>().swap(this->Gradients);
 }

@@ -19,6 +19,12 @@
  * What is left are lines of the smoothed curvature, nowhere moved; they fade where it changes its
  * sign slowly.
  *
+ * @par Parts with fillets
+ * The flat faces of parts from CAD programs have no curvature, and few points, but at their rims
+ * those of fillets, where the curvature jumps. What is between them is noise, and its lines are
+ * zigzags. So these lines, too, fade out where the derivatives of curvature are in doubt (see
+ * npr::ComputeDerivativeDoubt()), on the average over twice the width of the smoothing.
+ *
  * @par Pieces
  * Of a surface in pieces each is judged by itself, but regions that reach its ghost triangles are
  * kept. So pieces may have more lines at their borders than the whole, and smoothing reaches just
@@ -30,6 +36,13 @@
 #define vtkNPRZeroCurvatureLines_h
 
 #include "vtkNPRLineDefinition.h"
+
+#ifndef __VTK_WRAP__
+namespace npr
+{
+struct SmoothShape;
+}
+#endif
 
 class VTKNPRFILTERSLINES_EXPORT vtkNPRZeroCurvatureLines : public vtkNPRLineDefinition
 {
@@ -69,6 +82,15 @@ public:
 #ifndef __VTK_WRAP__
   std::vector<RequiredArray> GetRequiredArrays() const override;
   double GetReach() const override;
+  /// They go by gradients of the curvature.
+  bool NeedsDerivatives() const override
+  {
+    return true;
+  }
+  const float* GetDoubts(const npr::LineSurface&) const override
+  {
+    return this->Doubts.data();
+  }
   void BeginView(const npr::LineSurface& surface, const npr::LineView& view) override;
   void EndView(const npr::LineSurface& surface) override;
   bool HasField() const override
@@ -99,6 +121,10 @@ protected:
 #endif
 
 private:
+#ifndef __VTK_WRAP__
+  void SetDoubts(const npr::LineSurface& surface, const npr::SmoothShape& shape);
+#endif
+
   double Threshold;
   double Fade;
   double Smoothing;
@@ -107,6 +133,7 @@ private:
   // At the points, from BeginView() to EndView().
   std::vector<float> Field;
   std::vector<float> Gradients;
+  std::vector<float> Doubts; // empty where the surface has none
 
   vtkNPRZeroCurvatureLines(const vtkNPRZeroCurvatureLines&) = delete;
   void operator=(const vtkNPRZeroCurvatureLines&) = delete;

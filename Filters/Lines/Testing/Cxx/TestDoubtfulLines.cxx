@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines that go by derivatives of curvature end where these are in doubt, however they are defined
-// and looked for; other lines do not.
+// and looked for; other lines do not. So parts with fillets have no zigzags on their flat faces.
 #include "nprFilletBox.h"
 #include "nprLineTesting.h"
 
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRExpressionLines.h"
+#include "vtkNPRSurfacePreparation.h"
+#include "vtkNPRSurfaceRefinement.h"
 
+#include <vtkCellArray.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
 using namespace nprtest;
@@ -50,7 +54,8 @@ const std::vector<Vector> Eyes = { { 4.0, 3.0, 2.0 }, { -5.0, 1.0, 2.0 }, { 1.0,
 void TestFilletBox(Checks& check)
 {
   const auto box = AddCurvature(MakeFilletBox(0.1));
-  for (const char* kind : { "suggestive", "suggestive-highlights", "demarcating", "expression" })
+  for (const char* kind : { "suggestive", "suggestive-highlights", "demarcating", "parabolic",
+         "mean-curvature", "expression" })
   {
     vtkNew<vtkNPRFeatureLines> filter;
     filter->SetInputData(box);
@@ -86,6 +91,76 @@ void TestFilletBox(Checks& check)
     check(!GetChains(lines).empty(), std::string(kind) + " of a box with fillets");
     filter->KeepDoubtfulOn();
     check(AreSame(lines, GetLines(filter)), std::string(kind) + " are beyond doubt");
+  }
+}
+
+// A file of facets with coordinates in single precision, far from the origin.
+vtkSmartPointer<vtkPolyData> MakeFacets(vtkPolyData* mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    mesh->GetCellPoints(cell, size, corners);
+    triangles->InsertNextCell(3);
+    for (int i = 0; i < 3; ++i)
+    {
+      double point[3];
+      mesh->GetPoint(corners[i], point);
+      triangles->InsertCellPoint(
+        points->InsertNextPoint(point[0] + 30.0, point[1] - 20.0, point[2] + 10.0));
+    }
+  }
+  auto facets = vtkSmartPointer<vtkPolyData>::New();
+  facets->SetPoints(points);
+  facets->SetPolys(triangles);
+  return facets;
+}
+
+// As drawings are made of such a file.
+vtkSmartPointer<vtkPolyData> Prepare(vtkPolyData* facets, int estimator)
+{
+  vtkNew<vtkNPRSurfacePreparation> preparation;
+  preparation->SetInputData(facets);
+  vtkNew<vtkNPRCurvatureTensor> tensor;
+  tensor->SetEstimator(estimator);
+  tensor->SetInputConnection(preparation->GetOutputPort());
+  vtkNew<vtkNPRSurfaceRefinement> refinement;
+  refinement->SetInputConnection(tensor->GetOutputPort());
+  refinement->Update();
+  return refinement->GetOutput();
+}
+
+// Where faces are flat no curvature changes its sign, whatever the points at their rims say; where
+// a surface is round the lines stay, to the last bit of their length.
+void TestParts(Checks& check)
+{
+  for (const double radius : { 0.02, 0.05, 0.1 })
+  {
+    const auto part = Prepare(MakeFacets(MakeFilletBox(radius)), vtkNPRCurvatureTensor::PER_FACE);
+    for (const char* kind : { "parabolic", "mean-curvature" })
+    {
+      vtkNew<vtkNPRFeatureLines> filter;
+      filter->SetInputData(part);
+      filter->AddDefinition(kind);
+      const std::size_t size = GetChains(GetLines(filter)).size();
+      check(size == 0, std::string(kind) + " of a part with fillets", static_cast<double>(size));
+    }
+  }
+  const auto torus =
+    Prepare(MakeFacets(Torus{ 1.0, 0.7 }.Make(120, 60)), vtkNPRCurvatureTensor::JETS);
+  for (const char* kind : { "parabolic", "mean-curvature" })
+  {
+    vtkNew<vtkNPRFeatureLines> filter;
+    filter->SetInputData(torus);
+    filter->AddDefinition(kind);
+    const auto lines = GetLines(filter);
+    check(GetChains(lines).size() == 2, std::string(kind) + ": the two circles of a torus");
+    filter->KeepDoubtfulOn();
+    check(AreSame(lines, GetLines(filter)), std::string(kind) + " of a torus are beyond doubt");
   }
 }
 
@@ -155,6 +230,7 @@ int TestDoubtfulLines(int, char*[])
 {
   Checks check;
   TestFilletBox(check);
+  TestParts(check);
   TestHalf(check);
   return check.GetResult();
 }
