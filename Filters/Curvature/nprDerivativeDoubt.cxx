@@ -4,6 +4,8 @@
 
 #include "nprCurvatureDerivatives.h"
 #include "nprForAll.h"
+#include "nprPlaneFacets.h"
+#include "nprRingMeans.h"
 #include "nprTangentFrame.h"
 
 #include <Eigen/Geometry>
@@ -20,9 +22,12 @@ using Index = TriangleMesh::Index;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr int ThinnessRounds = 3; // of averages over neighbours
+constexpr int ThinnessRings = 3;
 constexpr double ThinnessLimit = 4.2;
 constexpr double StepLimit = 20.0; // with the square of the thinness
+constexpr double LeastFacets = 0.35;
+constexpr double AllFacets = 0.5;
+constexpr double DoubtOfFacets = 4.0;
 constexpr double UnexplainedLimit = 0.35;
 constexpr double NoDoubt = 0.8; // below this what is unexplained is of no matter
 constexpr double LargestDoubt = 10.0;
@@ -45,24 +50,22 @@ class DoubtMeter
 public:
   DoubtMeter(const TriangleMesh& mesh, const Tuples<3>& normals, const Tuples<6>& tensors,
     const Tuples<4>& cubics)
-    : Mesh(mesh), Normals(normals), Tensors(tensors), Cubics(cubics), Thinness(normals.size())
+    : Mesh(mesh), Normals(normals), Tensors(tensors), Cubics(cubics), Thinness(normals.size()),
+      Facets(MeasurePlaneFacets(mesh))
   {
     ForAll(
       this->Thinness.size(), [this](Index i) { this->Thinness[i] = this->MeasureThinness(i); });
-    for (int round = 0; round < ThinnessRounds; ++round)
-    {
-      std::vector<float> means(this->Thinness.size());
-      ForAll(means.size(), [&](Index i) { means[i] = this->AverageThinness(i); });
-      this->Thinness.swap(means);
-    }
+    AverageOverRings(mesh, ThinnessRings, this->Thinness);
   }
 
   double Measure(Index point) const
   {
     const TangentFrame frame = MakeTangentFrame(this->Normals[point].cast<double>());
     const double thinness = this->Thinness[point];
-    const double doubt =
-      thinness * std::max(1.0 / ThinnessLimit, thinness * this->GetStep(point, frame) / StepLimit);
+    const double facets =
+      std::clamp((this->Facets[point] - LeastFacets) / (AllFacets - LeastFacets), 0.0, 1.0);
+    const double doubt = std::max({ thinness / ThinnessLimit,
+      thinness * thinness * this->GetStep(point, frame) / StepLimit, facets * DoubtOfFacets });
     return doubt > NoDoubt
       ? doubt * std::min(1.0, this->GetUnexplained(point, frame) / UnexplainedLimit)
       : doubt;
@@ -110,20 +113,6 @@ private:
         { corner.A.squaredNorm(), corner.B.squaredNorm(), (corner.B - corner.A).squaredNorm() });
     }
     return areas > 0.0 ? static_cast<float>(squares / areas) : 0.0f;
-  }
-
-  float AverageThinness(Index point) const
-  {
-    double sum = 0.0;
-    for (const Index* t = this->Mesh.IncidentBegin(point); t != this->Mesh.IncidentEnd(point); ++t)
-    {
-      for (const Index corner : this->Mesh.GetTriangle(*t))
-      {
-        sum += this->Thinness[corner];
-      }
-    }
-    const Index count = 3 * this->Mesh.GetNumberOfIncident(point);
-    return count > 0 ? static_cast<float>(sum / count) : 0.0f;
   }
 
   double GetStep(Index point, const TangentFrame& frame) const
@@ -178,6 +167,7 @@ private:
   const Tuples<6>& Tensors;
   const Tuples<4>& Cubics;
   std::vector<float> Thinness;
+  std::vector<float> Facets;
 };
 }
 

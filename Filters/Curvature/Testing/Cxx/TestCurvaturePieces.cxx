@@ -75,13 +75,14 @@ struct Differences
   }
 };
 
-/// The derivatives over a frame that does not depend on which principal direction was found first.
-Vector4d GetCubic(vtkPolyData* surface, vtkIdType i)
+/// The derivatives over a given frame, so that they do not depend on which principal direction was
+/// found first, nor on where frames of tangent planes jump.
+Vector4d GetCubic(vtkPolyData* surface, vtkIdType i, const npr::TangentFrame& frame)
 {
   const Vector3d normal = GetTuple<3>(surface, npr::names::Normals, i);
   const Vector3d e1 = GetTuple<3>(surface, npr::names::PrincipalDirection1, i);
-  return npr::ChangeFrame(GetTuple<4>(surface, npr::names::CurvatureDerivatives, i),
-    { e1, normal.cross(e1) }, npr::MakeTangentFrame(normal));
+  return npr::ChangeFrame(
+    GetTuple<4>(surface, npr::names::CurvatureDerivatives, i), { e1, normal.cross(e1) }, frame);
 }
 
 double GetLargestNorm(vtkPolyData* surface, const char* name)
@@ -107,7 +108,10 @@ Differences Compare(vtkPolyData* piece, vtkPolyData* whole, const std::string& w
     here.Normal = difference(npr::names::Normals, std::integral_constant<int, 3>());
     here.Tensor =
       difference(npr::names::CurvatureTensor, std::integral_constant<int, 6>()) / largestTensor;
-    here.Derivatives = (GetCubic(piece, i) - GetCubic(whole, j)).norm() / largestCubic;
+    const npr::TangentFrame frame =
+      npr::MakeTangentFrame(GetTuple<3>(whole, npr::names::Normals, j));
+    here.Derivatives =
+      (GetCubic(piece, i, frame) - GetCubic(whole, j, frame)).norm() / largestCubic;
     here.Area = difference(npr::names::PointArea, std::integral_constant<int, 1>()) / largestArea;
     worst.Include(here);
     for (const char* flag : { npr::names::BorderPoints, npr::names::UnknownCurvature })

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkNPR authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where derivatives of curvature mean something: on regular meshes, however thin their triangles,
-// and on irregular ones of well-shaped triangles, but not on the slivers of fillets.
+// and on irregular ones of well-shaped triangles, but not on the slivers of fillets, nor on coarse
+// cylinders that meet planes.
 #include "nprChecks.h"
 #include "nprCurvaturePipeline.h"
 #include "nprFilletBox.h"
+#include "nprIrregularSurfaces.h"
+#include "nprPlaneFacets.h"
+#include "nprRibs.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -53,10 +57,56 @@ void TestFillets(Checks& check)
   }
 }
 
-// Neither size nor place nor rotation matters.
-void TestInvariance(Checks& check)
+std::vector<float> GetFacets(vtkPolyData* surface)
 {
-  const auto box = MakeFilletBox(0.1);
+  npr::TriangleMesh mesh(surface);
+  mesh.BuildIncidence();
+  return npr::MeasurePlaneFacets(mesh);
+}
+
+// Two thirds of the edges on the ribs lie inside planes, and all on the plate: known by the making.
+void TestRibs(Checks& check)
+{
+  for (const int steps : { 3, 4, 6 })
+  {
+    const auto ribs = MakeRibs(steps);
+    const std::vector<float> facets = GetFacets(ribs);
+    const std::vector<double> doubts = GetDoubts(ribs, vtkNPRCurvatureTensor::PER_FACE);
+    check(facets.size() == doubts.size(), "as many points");
+    double least = 1.0;
+    for (vtkIdType i = 0; i < ribs->GetNumberOfPoints(); ++i)
+    {
+      // Not at borders, whose edges are in no plane.
+      double point[3];
+      ribs->GetPoint(i, point);
+      const bool isInside = point[1] > 0.3 && point[1] < 0.5 && point[0] > 0.3 && point[0] < 1.0;
+      least = isInside ? std::min<double>(least, facets[i]) : least;
+      check(facets[i] <= 1.0f, "a share is not more than all", facets[i]);
+    }
+    check(least > 0.66 && least < 0.75, "planes between the lines of ribs", least);
+    const double largest = *std::max_element(doubts.begin(), doubts.end());
+    check(largest > 1.5, "where ribs begin derivatives are in doubt", largest);
+  }
+}
+
+// A grid of plane quadrangles has a third; of irregular points hardly any two triangles are in one
+// plane, however fine the mesh is.
+void TestFacets(Checks& check)
+{
+  for (const int size : { 20, 100 })
+  {
+    const std::vector<float> torus = GetFacets(MakeTorus(1.0, 0.4, 2 * size, size).Mesh);
+    check(*std::max_element(torus.begin(), torus.end()) < 0.334f, "a third of a torus in a grid",
+      *std::max_element(torus.begin(), torus.end()));
+    const std::vector<float> jittered = GetFacets(MakeJitteredTorus(size).Mesh);
+    check(*std::max_element(jittered.begin(), jittered.end()) < 0.2f,
+      "hardly any of an irregular torus", *std::max_element(jittered.begin(), jittered.end()));
+  }
+}
+
+// Neither size nor place nor rotation matters.
+void TestInvariance(vtkPolyData* box, Checks& check)
+{
   const std::vector<double> doubts = GetDoubts(box, vtkNPRCurvatureTensor::PER_FACE);
   for (const double scale : { 1.0e-6, 1.0, 1.0e6 })
   {
@@ -113,7 +163,9 @@ int TestDerivativeDoubt(int, char*[])
       estimator, check);
   }
   TestFillets(check);
-  TestInvariance(check);
+  TestRibs(check);
+  TestFacets(check);
+  TestInvariance(MakeFilletBox(0.1), check);
   TestFilters(check);
   return check.GetResult();
 }

@@ -4,6 +4,7 @@
 // and looked for; other lines do not. So parts with fillets have no zigzags on their flat faces.
 #include "nprFilletBox.h"
 #include "nprLineTesting.h"
+#include "nprRibs.h"
 
 #include "vtkNPRCurvatureTensor.h"
 #include "vtkNPRExpressionLines.h"
@@ -50,12 +51,12 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
 
 const std::vector<Vector> Eyes = { { 4.0, 3.0, 2.0 }, { -5.0, 1.0, 2.0 }, { 1.0, -5.0, -3.0 } };
 
-// All kinds that go by the size of derivatives, and a user's field without a test.
-void TestFilletBox(Checks& check)
+// Kinds that go by the size of derivatives, and a user's field without a test.
+void TestPart(
+  vtkPolyData* mesh, const std::string& name, const std::vector<const char*>& kinds, Checks& check)
 {
-  const auto box = AddCurvature(MakeFilletBox(0.1));
-  for (const char* kind : { "suggestive", "suggestive-highlights", "demarcating", "parabolic",
-         "mean-curvature", "expression" })
+  const auto box = AddCurvature(mesh);
+  for (const char* kind : kinds)
   {
     vtkNew<vtkNPRFeatureLines> filter;
     filter->SetInputData(box);
@@ -74,7 +75,7 @@ void TestFilletBox(Checks& check)
     {
       filter->SetCamera(MakeCamera(eye, false));
       filter->KeepDoubtfulOff();
-      check(GetChains(GetLines(filter)).empty(), std::string(kind) + " of a box with fillets");
+      check(GetChains(GetLines(filter)).empty(), std::string(kind) + " of " + name);
       filter->KeepDoubtfulOn();
       kept += GetChains(GetLines(filter)).size();
     }
@@ -88,7 +89,7 @@ void TestFilletBox(Checks& check)
     filter->AddDefinition(kind);
     filter->SetCamera(MakeCamera(Eyes[0], false));
     const auto lines = GetLines(filter);
-    check(!GetChains(lines).empty(), std::string(kind) + " of a box with fillets");
+    check(!GetChains(lines).empty(), std::string(kind) + " of " + name);
     filter->KeepDoubtfulOn();
     check(AreSame(lines, GetLines(filter)), std::string(kind) + " are beyond doubt");
   }
@@ -229,7 +230,11 @@ void TestHalf(Checks& check)
 int TestDoubtfulLines(int, char*[])
 {
   Checks check;
-  TestFilletBox(check);
+  const std::vector<const char*> kinds = { "suggestive", "suggestive-highlights", "demarcating",
+    "mean-curvature", "expression" };
+  TestPart(MakeRibs(), "a plate with ribs", kinds, check);
+  TestPart(MakeFilletBox(0.1), "a box with fillets", kinds, check);
+  TestPart(MakeFilletBox(0.1), "a box with fillets", { "parabolic" }, check); // ribs have none
   TestParts(check);
   TestHalf(check);
   return check.GetResult();
