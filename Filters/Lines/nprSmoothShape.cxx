@@ -3,6 +3,7 @@
 #include "nprSmoothShape.h"
 
 #include "nprArrayNames.h"
+#include "nprSurfaceDiffusion.h"
 
 #include <algorithm>
 #include <complex>
@@ -50,8 +51,8 @@ SmoothShape::SmoothShape(const LineSurface& surface, double smoothing, bool with
   }
   TriangleMesh mesh = surface.GetMesh();
   mesh.BuildIncidence();
-  this->Diffusion = SurfaceDiffusion(mesh, this->Normals);
-  this->Diffusion.SmoothTensors(this->Tensors, this->Radius);
+  this->Diffusion = std::make_unique<SurfaceDiffusion>(mesh, this->Normals);
+  this->Diffusion->SmoothTensors(this->Tensors, this->Radius);
   if (withNormals)
   {
     Tuples<3> smooth = this->Normals;
@@ -62,7 +63,7 @@ SmoothShape::SmoothShape(const LineSurface& surface, double smoothing, bool with
         smooth[i].setZero();
       }
     }
-    this->Diffusion.SmoothNormals(smooth, this->Radius);
+    this->Diffusion->SmoothNormals(smooth, this->Radius);
     for (std::size_t i = 0; i < smooth.size(); ++i)
     {
       this->Normals[i] = this->IsNumber[i] ? smooth[i] : this->Normals[i];
@@ -71,14 +72,17 @@ SmoothShape::SmoothShape(const LineSurface& surface, double smoothing, bool with
 }
 
 //------------------------------------------------------------------------------
+SmoothShape::~SmoothShape() = default;
+
+//------------------------------------------------------------------------------
 void SmoothShape::Smooth(std::vector<float>& values, double radius) const
 {
-  if (!(this->Radius > 0.0))
+  if (!this->Diffusion)
   {
     return;
   }
   SurfaceDiffusion::Field field(values.begin(), values.end());
-  this->Diffusion.Smooth(field, 0, radius * this->Radius);
+  this->Diffusion->Smooth(field, 0, radius * this->Radius);
   std::transform(field.begin(), field.end(), values.begin(),
     [](const std::complex<float>& value) { return value.real(); });
 }

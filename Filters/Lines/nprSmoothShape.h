@@ -4,13 +4,15 @@
 #define nprSmoothShape_h
 
 #include "nprLineSurface.h"
-#include "nprSurfaceDiffusion.h"
 #include "nprTupleArrays.h"
 
+#include <memory>
 #include <vector>
 
 namespace npr
 {
+class SurfaceDiffusion;
+
 /// Normals and curvature of a surface, smoothed along it (see SurfaceDiffusion), for lines that
 /// are to show its form and not its grain. What is not a number stays at its point.
 struct SmoothShape
@@ -18,6 +20,7 @@ struct SmoothShape
   /// @param smoothing the standard deviation of the Gaussian, over the length scale; 0 for none
   /// @param withNormals whether normals are smoothed, too
   SmoothShape(const LineSurface& surface, double smoothing, bool withNormals);
+  ~SmoothShape();
 
   /// Smooths a field of numbers along the surface; the radius in the tensors' radii.
   void Smooth(std::vector<float>& values, double radius) const;
@@ -27,8 +30,8 @@ struct SmoothShape
   std::vector<char> IsNumber; ///< of the point's normal and tensor
 
 private:
-  double Radius; // length
-  SurfaceDiffusion Diffusion;
+  double Radius;                               // length
+  std::unique_ptr<SurfaceDiffusion> Diffusion; // where it is smoothed
 };
 }
 
