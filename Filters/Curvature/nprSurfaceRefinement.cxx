@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nprSurfaceRefinement.h"
 
+#include "nprForAll.h"
+#include "nprMidpointTurns.h"
 #include "nprSurfaceNormals.h"
 
 #include <vtkMath.h>
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace npr
@@ -30,9 +33,10 @@ constexpr double LargestMoveOfShortest = 0.5; // of the shortest edge at either 
 // Of a triangle's area, from either half of it to the other: so every part keeps some, whichever of
 // the edges are split.
 constexpr double LargestLoss = 0.125;
-constexpr double FlatCosine = 0.9999; // less than 0.8 degrees from end to end
-constexpr double FlatSlope = 0.01;    // between a normal and the plane across the edge
-constexpr int MaximumNumberOfPasses = RefinementReach; // each halves the edges
+constexpr double FlatCosine = 0.9999;     // less than 0.8 degrees from end to end
+constexpr double FlatSlope = 0.01;        // between a normal and the plane across the edge
+constexpr int MaximumNumberOfPasses = 12; // each halves the edges
+static_assert(RefinementReach == MaximumNumberOfPasses * (1 + MidpointTurnsReach));
 
 /// Edges that are copies of one, where the preparation has split the surface.
 using Copies = std::vector<Index>;
@@ -329,6 +333,45 @@ private:
     return matrix.inverse() * right;
   }
 
+  /// Of marked edges. Copies of one need not run the same way, nor sum up to the same bits: the
+  /// first does it for all.
+  void FindMoves()
+  {
+    const Index size = this->Mesh.GetNumberOfEdges();
+    this->FirstCopies.resize(size);
+    std::iota(this->FirstCopies.begin(), this->FirstCopies.end(), 0);
+    std::vector<const Copies*> groups(size, nullptr);
+    for (const Copies& copies : this->AllCopies)
+    {
+      groups[copies.front()] = &copies;
+      for (Index edge : copies)
+      {
+        this->FirstCopies[edge] = copies.front();
+      }
+    }
+    this->Moves.assign(size, Vector3d::Zero());
+    ForAll(size,
+      [&](Index edge)
+      {
+        if (this->IsMarked[edge] && this->FirstCopies[edge] == edge)
+        {
+          const Copies copies = groups[edge] ? *groups[edge] : Copies{ edge };
+          const Vector3d move =
+            groups[edge] ? this->GetCommonMove(copies) : this->GetEdge(edge).GetMove();
+          this->Moves[edge] = this->GetFactor(copies, move) * move;
+        }
+      });
+  }
+
+  TriangleMesh::Vector GetMidpoint(Index edge) const
+  {
+    const Index first = this->FirstCopies[edge];
+    const std::array<Index, 2> ends = this->Mesh.GetEdge(first);
+    const Vector3d middle = 0.5 *
+      (this->Mesh.GetPoint(ends[0]).cast<double>() + this->Mesh.GetPoint(ends[1]).cast<double>());
+    return (middle + this->Moves[first]).cast<float>();
+  }
+
   void AddMidpoints()
   {
     RefinedSurface& surface = this->Surface;
@@ -344,16 +387,8 @@ private:
         edges.push_back(i);
       }
     }
-    std::vector<Index> firstCopies(size, -1);
-    std::vector<Index> groups(size, -1);
-    for (std::size_t g = 0; g < this->AllCopies.size(); ++g)
-    {
-      for (Index edge : this->AllCopies[g])
-      {
-        firstCopies[edge] = this->AllCopies[g].front();
-        groups[edge] = static_cast<Index>(g);
-      }
-    }
+    this->FindMoves();
+    LimitTurns(this->Mesh, surface.Normals, this->FirstCopies, this->Moves);
     const std::size_t total = firstPoint + edges.size();
     const Index firstParent = static_cast<Index>(surface.Parents.size());
     surface.Points.resize(total);
@@ -368,23 +403,11 @@ private:
         {
           const Index index = edges[i];
           const Index point = firstPoint + static_cast<Index>(i);
-          const std::array<Index, 2> ends = this->Mesh.GetEdge(index);
-          const Edge edge = this->GetEdge(index);
-          // Copies of an edge need not run the same way, nor sum up to the same bits: the first
-          // does it for all.
-          const bool isCopy = groups[index] >= 0;
-          const std::array<Index, 2> base = isCopy ? this->Mesh.GetEdge(firstCopies[index]) : ends;
-          const Copies copies = isCopy ? this->AllCopies[groups[index]] : Copies{ index };
-          Vector3d move = isCopy ? this->GetCommonMove(copies) : edge.GetMove();
-          move *= this->GetFactor(copies, move);
-          const Vector3d middle = 0.5 *
-            (this->Mesh.GetPoint(base[0]).cast<double>() +
-              this->Mesh.GetPoint(base[1]).cast<double>());
-          surface.Points[point] = (middle + move).cast<float>();
-          surface.Normals[point] = edge.GetMiddleNormal().cast<float>();
-          surface.WeldedPointIds[point] = isCopy ? this->Midpoints[firstCopies[index]] : point;
+          surface.Points[point] = this->GetMidpoint(index);
+          surface.Normals[point] = this->GetEdge(index).GetMiddleNormal().cast<float>();
+          surface.WeldedPointIds[point] = this->Midpoints[this->FirstCopies[index]];
           surface.BorderPoints[point] = this->Counts[index] != 2;
-          surface.Parents[firstParent + i] = ends;
+          surface.Parents[firstParent + i] = this->Mesh.GetEdge(index);
         }
       });
     surface.LevelStarts.push_back(static_cast<Index>(surface.Parents.size()));
@@ -460,7 +483,9 @@ private:
   std::vector<double> ShortestEdges; // at each point
   std::vector<unsigned char> IsMarked;
   std::vector<Copies> AllCopies;
-  std::vector<Index> Midpoints; // of the edges, or -1
+  std::vector<Index> FirstCopies; // of the edges; those without copies are their own
+  std::vector<Vector3d> Moves;    // from the middle of edges that are first copies
+  std::vector<Index> Midpoints;   // of the edges, or -1
 };
 }
 

@@ -17,8 +17,9 @@
 
 namespace npr
 {
-/// Of how many rings of triangles around an edge it may depend how it is parted: one a pass.
-inline constexpr int RefinementReach = 12;
+/// Of how many rings of triangles around an edge it may depend how it is parted: in each of 12
+/// passes one, and three more of triangles that must not turn away.
+inline constexpr int RefinementReach = 48;
 
 struct SurfaceRefinementOptions
 {
@@ -59,7 +60,8 @@ struct RefinedSurface
  * that it is exact not only for parabolas but for spheres and round cylinders. On edges that the
  * preparation has split, all copies move alike: by the shortest way that has the offset of each
  * side along the normal of that side, so that the rim of a cylinder becomes round while its cap
- * stays flat. No move is longer than a fifth of the edge, none folds a triangle at it over, and
+ * stays flat. No move is longer than a fifth of the edge, none folds a triangle at it over or turns
+ * a part of it farther from the normals there than the whole was (see nprMidpointTurns.h), and
  * there is none where the normals differ by more than 60 degrees.
  *
  * New normals are the means of those at the ends.

@@ -332,6 +332,79 @@ void TestLongEdges(Checks& check)
   check(bounds[5] < Breadth, "long edges between short ones stay nearly straight", bounds[5]);
 }
 
+/// Long rows of slivers in a plane, whose normals lean outwards at the ends of some edges.
+struct Rows
+{
+  static constexpr double Breadth = 0.2;
+  static constexpr double HalfLength = 1.0;
+  static constexpr double Lean = 10.0; // degrees
+  vtkNew<vtkNPRSurfaceRefinement> Refinement;
+
+  explicit Rows(const std::vector<bool>& leans)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> triangles;
+    vtkNew<vtkFloatArray> normals;
+    normals->SetName(npr::names::Normals);
+    normals->SetNumberOfComponents(3);
+    for (std::size_t row = 0; row < leans.size(); ++row)
+    {
+      for (int side : { -1, 1 })
+      {
+        const double angle = leans[row] ? vtkMath::RadiansFromDegrees(side * Lean) : 0.0;
+        points->InsertNextPoint(side * HalfLength, row * Breadth, 0.0);
+        normals->InsertNextTuple3(std::sin(angle), 0.0, std::cos(angle));
+      }
+    }
+    for (vtkIdType i = 0; i + 2 < points->GetNumberOfPoints(); i += 2)
+    {
+      triangles->InsertNextCell({ i, i + 1, i + 3 });
+      triangles->InsertNextCell({ i, i + 3, i + 2 });
+    }
+    vtkNew<vtkPolyData> surface;
+    surface->SetPoints(points);
+    surface->SetPolys(triangles);
+    surface->GetPointData()->SetNormals(normals);
+    this->Refinement->SetInputData(surface);
+    this->Refinement->SetNumberOfLevels(3);
+  }
+  vtkPolyData* Update()
+  {
+    this->Refinement->Update();
+    return this->Refinement->GetOutput();
+  }
+};
+
+/// Of rows of slivers one edge rises, as along a plane that goes over into a fillet: it must not
+/// tip the slivers beside it. But where all rise alike, as on an arch, they do become round.
+void TestRowsOfSlivers(Checks& check)
+{
+  Rows uneven({ false, false, true, false, false });
+  vtkPolyData* output = uneven.Update();
+  const npr::TriangleMesh mesh(output);
+  double largest = 0.0;
+  for (npr::TriangleMesh::Index t = 0; t < mesh.GetNumberOfTriangles(); ++t)
+  {
+    const Vector3d area = mesh.GetAreaNormal(t).cast<double>();
+    largest = std::max(largest, std::atan2(area.head<2>().norm(), area.z()));
+  }
+  largest = vtkMath::DegreesFromRadians(largest);
+  check(largest < 1.1 * Rows::Lean, "no part turns away farther than the normals do", largest);
+
+  Rows arch({ true, true, true, true, true });
+  output = arch.Update();
+  const double radius = Rows::HalfLength / std::sin(vtkMath::RadiansFromDegrees(Rows::Lean));
+  const double centre = -radius * std::cos(vtkMath::RadiansFromDegrees(Rows::Lean));
+  double error = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    error = std::max(error, std::abs(std::hypot(p[0], p[2] - centre) - radius));
+  }
+  check(error < 1e-4, "an arch of slivers becomes round", error);
+}
+
 /// A round hole in a plate, and in the plate a point on the circle for each edge of the rim: a
 /// sliver is between the two, which the edge must not fold over where it becomes round.
 void TestSlivers(Checks& check)
@@ -493,6 +566,7 @@ int TestSurfaceRefinement(int, char*[])
   TestChordError(check);
   TestFlat(check);
   TestSlivers(check);
+  TestRowsOfSlivers(check);
   TestArrays(check);
   TestDerivatives(check);
   return check.GetResult();
