@@ -25,6 +25,7 @@ constexpr double LeastGapInPixels = 0.5;
 constexpr double MostGapInPixels = 4.0;
 constexpr double TouchingReach = 5.0;    // of the distance at which surfaces touch
 constexpr double SideInTolerances = 4.0; // from a surface that is seen edge-on
+constexpr double SideOfContour = 0.02;   // sines of the angles from which on it is known
 
 /// Squared distance of the origin from a segment.
 double GetSquaredDistance(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
@@ -90,8 +91,10 @@ bool HidingLayers::IsInside(Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-int HidingLayers::Count(const Vector& point, const Vector& normal, bool mayBeEdgeOn)
+int HidingLayers::Count(
+  const Vector& point, const Vector& normal, const Vector& along, bool mayBeEdgeOn)
 {
+  this->Along = along;
   const int layers = this->CountAt(point, normal);
   if (!mayBeEdgeOn)
   {
@@ -218,7 +221,8 @@ bool HidingLayers::IsOwn(Index triangle, double distance)
   const Index known = this->FindOwn(triangle);
   if (known >= 0)
   {
-    return this->Own[known].IsSource || distance <= this->Reach;
+    const Step& step = this->Own[known];
+    return step.IsSource || (distance <= this->Reach && !this->IsInFront(step));
   }
   if (std::find(this->Touching.begin(), this->Touching.end(), triangle) != this->Touching.end())
   {
@@ -231,12 +235,28 @@ bool HidingLayers::IsOwn(Index triangle, double distance)
   while (this->NextStep < this->Own.size())
   {
     this->AddAround(this->NextStep++);
-    if (this->FindOwn(triangle) >= 0)
+    const Index found = this->FindOwn(triangle);
+    if (found >= 0)
     {
-      return true;
+      return !this->IsInFront(this->Own[found]);
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool HidingLayers::IsBehindItself() const
+{
+  const double length = this->Normal.norm();
+  return length > 0.0 && std::abs(this->Normal.dot(this->ToEye)) <= SideOfContour * length &&
+    this->Along.dot(this->ToEye.cross(this->Normal)) < -SideOfContour * length * this->Along.norm();
+}
+
+//------------------------------------------------------------------------------
+bool HidingLayers::IsInFront(const Step& step) const
+{
+  const double side = this->Surfaces.GetAreaNormal(step.Triangle).dot(this->ToEye);
+  return this->BehindItself && (step.Normal.dot(this->Normal) < 0.0 ? side < 0.0 : side > 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -358,6 +378,7 @@ void HidingLayers::FindSources()
 {
   this->AreSourcesKnown = true;
   this->Inside = false;
+  this->BehindItself = false;
   this->DistanceMatters = false;
   this->ClearOwn();
   this->Reach = 0.0;
@@ -372,6 +393,7 @@ void HidingLayers::FindSources()
   this->Inside = this->IsInside(this->Nearest);
   if (this->Inside)
   {
+    this->BehindItself = this->IsBehindItself();
     this->Reach = std::max(this->Reach, ReachInPixels * this->PixelSize);
     if (std::abs(normal.dot(this->ToEye)) <= SeenEdgeOn * normal.norm())
     {
@@ -427,7 +449,8 @@ void HidingLayers::AddAround(std::size_t place)
     {
       this->AddOwn({ next, turned, false, step.IsBeyondOutline });
     }
-    else if (this->Inside && !step.IsBeyondOutline && this->IsOutlineNearby(step.Triangle, e))
+    else if (this->Inside && !this->BehindItself && !step.IsBeyondOutline &&
+      this->IsOutlineNearby(step.Triangle, e))
     {
       this->AddOwn({ next, normal.stableNormalized(), false, true });
     }

@@ -33,9 +33,10 @@ public:
   /// No more than \p most layers are counted; 1 ends each ray at the first.
   HidingLayers(const HidingSurfaces& surfaces, const ImageProjection& projection, int most);
 
-  /// \p normal of the smooth surface that the point lies on, or zero where that is not known;
+  /// \p normal of the smooth surface that the point lies on, outwards, or zero where that is not
+  /// known; \p along the stroke, which has the front of the surface on its left if it is a contour;
   /// \p mayBeEdgeOn false if the point surely lies on no triangle that is seen exactly edge-on.
-  int Count(const Vector& point, const Vector& normal, bool mayBeEdgeOn);
+  int Count(const Vector& point, const Vector& normal, const Vector& along, bool mayBeEdgeOn);
 
   /// Whether how far something is from the last point may decide whether it hides it. Where nothing
   /// is in front, it is not asked.
@@ -67,6 +68,10 @@ private:
   /// Whether a crossing is with another body, where that touches the own one as far as the chords
   /// of both can tell.
   bool TouchesBody(Index triangle, double distance);
+  /// Whether the point is of a contour where the surface is hollow along the sight line.
+  bool IsBehindItself() const;
+  /// Whether a triangle of the own surface is one that hides a contour behind it.
+  bool IsInFront(const Step& step) const;
   /// Begins the own surface with the triangles that the point lies on.
   void FindSources();
   /// Sets the nearest triangle, the distance from it, and which triangles touch the point. False if
@@ -93,11 +98,13 @@ private:
   // What is known of the point.
   Vector Point;
   Vector Normal;
+  Vector Along;
   Vector ToEye; // unit
   double PixelSize = 0.0;
   bool AreSourcesKnown = false;
   bool DistanceMatters = false;
   bool Inside = false; // of the nearest triangle, and not on one of its edges
+  bool BehindItself = false;
   Index Nearest = -1;
   double Gap = 0.0;   // distance from the nearest triangle
   double Reach = 0.0; // how far the own surface hides nothing

@@ -21,8 +21,9 @@ constexpr double LeastPierced = 0.5;
 
 //------------------------------------------------------------------------------
 StrokeSplitter::StrokeSplitter(const HidingSurfaces& surfaces, const HidingEdges& edges,
-  const ImageProjection& projection, int most)
-  : Surfaces(surfaces), Edges(edges), Projection(projection), Layers(surfaces, projection, most)
+  const ImageProjection& projection, int most, bool isMirrored)
+  : Surfaces(surfaces), Edges(edges), Projection(projection), Layers(surfaces, projection, most),
+    Direction(isMirrored ? -1.0 : 1.0)
 {
 }
 
@@ -69,7 +70,8 @@ int StrokeSplitter::CountLayers(std::size_t segment, double place, bool mayBeEdg
   {
     normal.setZero();
   }
-  return this->Layers.Count(mix(*this->Points), normal, mayBeEdgeOn);
+  const Vector along = this->Direction * ((*this->Points)[segment + 1] - (*this->Points)[segment]);
+  return this->Layers.Count(mix(*this->Points), normal, along, mayBeEdgeOn);
 }
 
 //------------------------------------------------------------------------------

@@ -25,8 +25,9 @@ class StrokeSplitter
 public:
   using Vector = Eigen::Vector3d;
 
+  /// \p isMirrored if what was on the left of the strokes, seen from outside, is on their right.
   StrokeSplitter(const HidingSurfaces& surfaces, const HidingEdges& edges,
-    const ImageProjection& projection, int most);
+    const ImageProjection& projection, int most, bool isMirrored);
 
   /// \p points relative to the surfaces' centre; \p normals as many, or none. Neighbouring parts
   /// have different layers.
@@ -44,6 +45,7 @@ private:
   const HidingEdges& Edges;
   const ImageProjection& Projection;
   HidingLayers Layers;
+  const double Direction; // of the strokes, that has on its left what it had: 1 or -1
 
   const std::vector<Vector>* Points = nullptr;
   const std::vector<Vector>* Normals = nullptr;

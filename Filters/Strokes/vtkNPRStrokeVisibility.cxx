@@ -94,6 +94,7 @@ public:
     }
   }
   vtkPoints* GetPoints() const { return this->Points; }
+  bool IsMirrored() const { return this->Linear.determinant() < 0.0; }
 
   /// Where the strokes are in the image, no farther from its middle than cuts matter.
   Eigen::AlignedBox2d GetBounds(const npr::ImageProjection& projection, double most) const
@@ -433,7 +434,8 @@ int vtkNPRStrokeVisibility::RequestData(
     vtkSMPTools::For(0, lines->GetNumberOfCells(),
       [&](vtkIdType begin, vtkIdType end)
       {
-        npr::StrokeSplitter splitter(surfaces, *edges, projection, this->MaximumLayers);
+        npr::StrokeSplitter splitter(
+          surfaces, *edges, projection, this->MaximumLayers, strokes.IsMirrored());
         std::vector<Eigen::Vector3d> points;
         std::vector<Eigen::Vector3d> normals;
         vtkNew<vtkIdList> ids;

@@ -48,9 +48,15 @@
  * triangles may have an edge in the outline of the mesh (one of its two triangles is seen from the
  * front, the other from the back) no farther than 2 pixels from the point; then what is beyond it,
  * as far as 2 pixels, is no layer either. Beyond a second such edge there is no more, so the two
- * sides of a wall are never taken for one, however thin it is. A point on a triangle that is seen
- * exactly edge-on (the cosine is no more than 1e-4), as in views along an axis of a machine part,
- * has the lesser number of layers of the two sides of that triangle.
+ * sides of a wall are never taken for one, however thin it is. But behind a cusp a contour is seen
+ * from within: the surface is hollow along the sight line, and the way to the eye is inside of the
+ * solid (J. Koenderink, "What does the occluding contour tell us about solid shape?", 1984). It is
+ * so where the stroke runs inside a triangle, its normal is at right angles to the view, and its
+ * left side, where contours have the front, is the farther one (all told by more than a sine of
+ * 0.02). There these triangles are no layers only where they are seen from their back, as a sheet
+ * is; on the front, the way leaves the solid. A point on a triangle that is seen exactly edge-on
+ * (the cosine is no more than 1e-4), as in views along an axis of a machine part, has the lesser
+ * number of layers of the two sides of that triangle.
  *
  * @par Where strokes are cut
  * The number of layers changes only where a contour edge or a border of a surface is in front of

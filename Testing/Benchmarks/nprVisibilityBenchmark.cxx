@@ -262,8 +262,8 @@ Errors CompareWithOracle(vtkPolyData* strokes, nprtest::VisibilityOracle& oracle
       for (; next < passed + length; next += step)
       {
         const double t = (next - passed) / length;
-        const int truth =
-          oracle.CountLayers(from + t * (to - from), normalFrom + t * (normalTo - normalFrom));
+        const int truth = oracle.CountLayers(
+          from + t * (to - from), normalFrom + t * (normalTo - normalFrom), to - from);
         const bool isWrongVisible = label == 0 && truth > 0;
         const bool isWrongHidden = label > 0 && truth == 0;
         errors.All += step;

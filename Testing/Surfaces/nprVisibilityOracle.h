@@ -124,17 +124,17 @@ public:
     return { scale * seen.x(), scale * seen.y(), depth };
   }
 
-  /// \p normal of the smooth surface in the world, or zero.
-  int CountLayers(const Vector& point, const Vector& normal)
+  /// \p normal of the smooth surface in the world, or zero; \p along the stroke, in any length.
+  int CountLayers(const Vector& point, const Vector& normal, const Vector& along)
   {
     Vector edgeOn = Vector::Zero();
-    int layers = this->CountLayersAt(point, normal, edgeOn);
+    int layers = this->CountLayersAt(point, normal, along, edgeOn);
     if (edgeOn.squaredNorm() > 0.0)
     {
       const Vector aside = 4e-5 * this->Radius * edgeOn.normalized();
       Vector ignored;
-      layers = std::min(this->CountLayersAt(point + aside, normal, ignored),
-        this->CountLayersAt(point - aside, normal, ignored));
+      layers = std::min(this->CountLayersAt(point + aside, normal, along, ignored),
+        this->CountLayersAt(point - aside, normal, along, ignored));
     }
     return layers;
   }
@@ -144,12 +144,14 @@ private:
   {
     std::set<int> Sources;
     std::map<int, Vector> Around; // with the first triangle's normal, turned alike
+    std::set<int> InFront;        // of a contour that is behind its own surface
     double Reach = 0.0;
     double ChordError = 0.0; // of those that are as near as the nearest
   };
 
   /// Also the normal of a triangle that is seen edge-on under the point, where there is one.
-  int CountLayersAt(const Vector& point, const Vector& normal, Vector& edgeOn) const
+  int CountLayersAt(
+    const Vector& point, const Vector& normal, const Vector& along, Vector& edgeOn) const
   {
     const Vector seen = this->See(point);
     const Eigen::Vector2d pixel = seen.head<2>();
@@ -171,7 +173,7 @@ private:
           }
         }
       });
-    const OwnSurface own = this->FindOwnSurface(point, seen, normal, touching);
+    const OwnSurface own = this->FindOwnSurface(point, seen, normal, along, touching);
     const Vector toEye = this->GetDirectionToEye(point);
     for (const int source : own.Sources)
     {
@@ -186,7 +188,8 @@ private:
       [&](const std::pair<double, int>& hit)
       {
         return own.Sources.count(hit.second) == 0 &&
-          !(hit.first <= own.Reach && own.Around.count(hit.second) != 0) &&
+          !(hit.first <= own.Reach && own.Around.count(hit.second) != 0 &&
+            own.InFront.count(hit.second) == 0) &&
           !this->TouchesBody(own, point, seen.z(), hit);
       }));
   }
@@ -363,8 +366,8 @@ private:
     return (p - a - t * along).norm();
   }
 
-  OwnSurface FindOwnSurface(
-    const Vector& point, const Vector& seen, const Vector& normal, double touching) const
+  OwnSurface FindOwnSurface(const Vector& point, const Vector& seen, const Vector& normal,
+    const Vector& along, double touching) const
   {
     OwnSurface own;
     const double pixelSize = (this->IsParallel ? 1.0 : seen.z()) / this->Scale;
@@ -412,6 +415,9 @@ private:
         own.Reach = std::max(own.Reach, 4.0 * size);
       }
     }
+    // A contour has the front on its left. Where that is the farther side, it is seen from within.
+    const bool isWithin = isInside && normal.squaredNorm() > 0.0 && isEdgeOn(normal, 0.02) &&
+      normal.normalized().cross(along.normalized()).dot(toEye) < -0.02;
     // Connected ones that are as near as the nearest, then those around each of them.
     std::vector<int> sources = { nearest };
     for (std::size_t i = 0; i < sources.size(); ++i)
@@ -461,7 +467,7 @@ private:
             beyond.insert(next);
           }
         }
-        else if (isInside && !isBeyond &&
+        else if (isInside && !isWithin && !isBeyond &&
           (this->GetAreaNormal(queue[i]).dot(toEye) < 0.0) != (sign * there.dot(toEye) < 0.0) &&
           this->GetDistanceFromEdge(point, queue[i], e) <= 2.0 * pixelSize)
         {
@@ -469,6 +475,14 @@ private:
           queue.push_back(next);
           beyond.insert(next);
         }
+      }
+    }
+    for (const auto& [triangle, turned] : own.Around)
+    {
+      const double outwards = turned.dot(normal) < 0.0 ? -1.0 : 1.0;
+      if (isWithin && outwards * this->GetAreaNormal(triangle).dot(toEye) > 0.0)
+      {
+        own.InFront.insert(triangle);
       }
     }
     return own;

@@ -95,7 +95,10 @@ void CheckAgainstOracle(
       const Vector3d middle = 0.5 * (part.Line[i - 1] + part.Line[i]);
       const double length = (part.Line[i] - part.Line[i - 1]).norm();
       all += length;
-      wrong += (oracle.CountLayers(middle, Vector3d::Zero()) > 0) != (part.Layers > 0) ? length : 0;
+      wrong +=
+        (oracle.CountLayers(middle, Vector3d::Zero(), Vector3d::Zero()) > 0) != (part.Layers > 0)
+        ? length
+        : 0;
     }
   }
   check(wrong < 0.01 * all, "touching bodies by brute force", wrong / all);
