@@ -97,27 +97,40 @@ void LimitTurns(const TriangleMesh& mesh, const Tuples<3>& normals,
   const std::vector<Index>& firstCopies, std::vector<Vector3d>& moves)
 {
   std::vector<Index> longest(mesh.GetNumberOfTriangles());
-  std::vector<unsigned char> isTooLong(moves.size());
+  std::vector<unsigned char> isChanged(moves.size());
+  ForAll(moves.size(), [&](Index edge) { isChanged[edge] = moves[edge].squaredNorm() > 0.0; });
+  std::vector<unsigned char> isNear(mesh.GetNumberOfPoints());
   for (int round = 0; round < MidpointTurnsReach; ++round)
   {
-    ForAll(longest.size(),
-      [&](Index t) { longest[t] = FindLongestOfTurned(mesh, normals, firstCopies, moves, t); });
-    if (std::all_of(longest.begin(), longest.end(), [](Index edge) { return edge < 0; }))
+    // Most triangles of a fine mesh have no edge that moves.
+    std::fill(isNear.begin(), isNear.end(), 0);
+    for (std::size_t edge = 0; edge < moves.size(); ++edge)
     {
-      return;
+      if (isChanged[firstCopies[edge]])
+      {
+        isNear[mesh.GetEdge(static_cast<Index>(edge))[0]] = 1;
+      }
     }
-    std::fill(isTooLong.begin(), isTooLong.end(), 0);
+    ForAll(longest.size(),
+      [&](Index t)
+      {
+        const TriangleMesh::Triangle& corners = mesh.GetTriangle(t);
+        longest[t] = isNear[corners[0]] || isNear[corners[1]] || isNear[corners[2]]
+          ? FindLongestOfTurned(mesh, normals, firstCopies, moves, t)
+          : -1;
+      });
+    std::fill(isChanged.begin(), isChanged.end(), 0);
     for (Index edge : longest)
     {
       if (edge >= 0)
       {
-        isTooLong[edge] = 1;
+        isChanged[edge] = 1;
       }
     }
     ForAll(moves.size(),
       [&](Index edge)
       {
-        if (isTooLong[edge])
+        if (isChanged[edge])
         {
           moves[edge] *= 0.5;
         }
