@@ -3,12 +3,12 @@
 /**
  * What a vector drawing costs from the prepared mesh on, and what is wrong with its lines:
  *
- *   nprDrawingBenchmark [MODEL...] [--views N] [--runs N] [--style NAME] [--keep FILE.svg]
+ *   nprDrawingBenchmark [MODEL...] [--views N] [--runs N] [--style NAME] [--pdf] [--keep FILE]
  *
  * Several models are one scene. Without any the built-in sample is taken. Drawn are contours,
  * suggestive contours and creases in a style (--style; ink), in an image 933 pixels wide and 700
- * high, on A4, as SVG. The views (--views; 10) are all around, in turn with a perspective and a
- * parallel projection.
+ * high, on A4, as SVG or, with --pdf, as PDF. The views (--views; 10) are all around, in turn with
+ * a perspective and a parallel projection.
  *
  * A row is a view: seconds in finding what is hidden, in making strokes, and in fitting and writing
  * them, the least of several runs (--runs; 3) with two threads; their sum; the size of the file;
@@ -24,6 +24,9 @@
 #include "vtkNPRIllustration.h"
 #include "vtkNPRIllustrationStyle.h"
 #include "vtkNPRModelImporter.h"
+#if NPR_HAS_CAIRO
+#include "vtkNPRPDFWriter.h"
+#endif
 #include "vtkNPRSVGWriter.h"
 #include "vtkNPRSampleSource.h"
 #include "vtkNPRViewpoint.h"
@@ -67,6 +70,7 @@ struct Arguments
   int Views = 10;
   int Runs = 3;
   std::string Style = "ink";
+  bool IsPDF = false;
   std::string File;
 
   bool Read(int argc, char* argv[])
@@ -86,6 +90,10 @@ struct Arguments
       else if (argument == "--style" && hasValue)
       {
         this->Style = argv[++i];
+      }
+      else if (argument == "--pdf" && NPR_HAS_CAIRO)
+      {
+        this->IsPDF = true;
       }
       else if (argument == "--keep" && hasValue)
       {
@@ -323,6 +331,17 @@ bool AddModels(const Arguments& arguments, vtkRenderer* renderer, int& upAxis)
   return true;
 }
 
+vtkSmartPointer<vtkNPRDrawingWriter> MakeWriter(bool isPDF)
+{
+#if NPR_HAS_CAIRO
+  if (isPDF)
+  {
+    return vtkSmartPointer<vtkNPRPDFWriter>::New();
+  }
+#endif
+  return vtkSmartPointer<vtkNPRSVGWriter>::New();
+}
+
 std::vector<vtkActor*> ListActors(vtkRenderer* renderer)
 {
   std::vector<vtkActor*> actors;
@@ -345,7 +364,8 @@ int main(int argc, char* argv[])
   {
     std::fprintf(stderr,
       "usage: nprDrawingBenchmark [MODEL...] [--views N] [--runs N] [--style NAME]\n"
-      "                           [--keep FILE.svg]\n");
+      "                           [--pdf] [--keep FILE]\n"
+      "(--pdf only where vtkNPR was built with cairo)\n");
     return EXIT_FAILURE;
   }
   UseThreads(2);
@@ -386,7 +406,7 @@ int main(int argc, char* argv[])
   std::printf("%-12s %10s %8s %8s %8s %7s %8s %9s %9s %10s\n", "view", "visibility", "strokes",
     "write", "seconds", "kB", "strokes", "under 5px", "reversals", "% no line");
 
-  const std::string file = arguments.File.empty() ? "nprDrawingBenchmark.svg" : arguments.File;
+  const std::string file = arguments.File.empty() ? "nprDrawingBenchmark.tmp" : arguments.File;
   double megabytes = 0.0;
   for (int i = 0; i < arguments.Views; ++i)
   {
@@ -414,7 +434,7 @@ int main(int argc, char* argv[])
         std::min(visibility.Wall, illustration->GetStageSeconds("visibility") - hiddenBefore);
       shaping.Wall =
         std::min(shaping.Wall, illustration->GetStageSeconds("strokes") - shapedBefore);
-      vtkNew<vtkNPRSVGWriter> writer;
+      const vtkSmartPointer<vtkNPRDrawingWriter> writer = MakeWriter(arguments.IsPDF);
       writer->SetInputData(strokes);
       writer->SetCamera(renderer->GetActiveCamera());
       writer->SetViewportSize(Width, Height);
