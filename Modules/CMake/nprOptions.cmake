@@ -12,7 +12,7 @@ option(NPR_WRAP_PYTHON "Build the Python package vtknpr" ON)
 set(NPR_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages"
   CACHE STRING "Where the Python package goes, relative to the prefix")
 option(NPR_USE_OPENVDB "Read OpenVDB files" ON)
-option(NPR_USE_CAIRO "Write drawings as PDF" ON)
+option(NPR_USE_CAIRO "Write drawings as PDF, by cairo and qpdf" ON)
 option(NPR_USE_EMBREE "Find hidden lines by Embree's rays" ON)
 option(NPR_WARNINGS_AS_ERRORS "Treat warnings in our own code as errors" OFF)
 set(NPR_SANITIZE "" CACHE STRING "Sanitizers for our own code, such as address,undefined or thread")

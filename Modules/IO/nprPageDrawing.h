@@ -62,6 +62,12 @@ struct PageTone
   PagePath Path;
 };
 
+/// Names of the layers below all strokes.
+///@{
+constexpr const char* ImageLayerName = "shading";
+constexpr const char* TonesLayerName = "tones";
+///@}
+
 struct PageDrawing
 {
   double Width = 0.0;

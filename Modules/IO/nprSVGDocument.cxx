@@ -109,7 +109,7 @@ void AddImage(const PageDrawing& drawing, std::string& text)
   {
     text += "<clipPath id=\"area\"><rect" + RectangleAttributes(area) + "/></clipPath>\n";
   }
-  text += LayerStart("shading") + (isCut ? " clip-path=\"url(#area)\"" : "") + ">\n<image" +
+  text += LayerStart(ImageLayerName) + (isCut ? " clip-path=\"url(#area)\"" : "") + ">\n<image" +
     RectangleAttributes(drawing.ImagePlace) +
     " preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,";
   text += Base64(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
@@ -120,7 +120,7 @@ void AddTones(const PageDrawing& drawing, int decimals, std::string& text)
 {
   // What reaches the picture's border goes on beyond it.
   text += "<clipPath id=\"picture\"><rect" + RectangleAttributes(drawing.GetPictureArea()) +
-    "/></clipPath>\n" + LayerStart("tones") +
+    "/></clipPath>\n" + LayerStart(TonesLayerName) +
     " fill-rule=\"evenodd\" clip-path=\"url(#picture)\">\n";
   for (const PageTone& tone : drawing.Tones)
   {

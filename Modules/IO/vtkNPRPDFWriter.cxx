@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNPRPDFWriter.h"
 
+#include "nprPDFLayers.h"
 #include "nprPageComposer.h"
 
 #include <vtkImageData.h>
@@ -197,16 +198,30 @@ std::string vtkNPRPDFWriter::Encode(const npr::PageDrawing& drawing)
   TellMetadata(surface.get(), drawing);
   const Context context(cairo_create(surface.get()));
   cairo_scale(context.get(), PointsPerMillimetre, PointsPerMillimetre);
+  // Each layer is a page for cairo.
+  std::vector<std::string> layers;
   if (drawing.Image)
   {
     DrawImage(context.get(), drawing);
+    cairo_show_page(context.get());
+    layers.emplace_back(npr::ImageLayerName);
   }
-  DrawTones(context.get(), drawing);
+  if (!drawing.Tones.empty())
+  {
+    DrawTones(context.get(), drawing);
+    cairo_show_page(context.get());
+    layers.emplace_back(npr::TonesLayerName);
+  }
   for (const npr::PageLayer& layer : drawing.Layers)
   {
     DrawLayer(context.get(), layer);
+    cairo_show_page(context.get());
+    layers.push_back(layer.Name);
   }
-  cairo_show_page(context.get());
+  if (layers.empty())
+  {
+    cairo_show_page(context.get());
+  }
   cairo_surface_finish(surface.get());
   for (const cairo_status_t status :
     { cairo_status(context.get()), cairo_surface_status(surface.get()) })
@@ -217,5 +232,5 @@ std::string vtkNPRPDFWriter::Encode(const npr::PageDrawing& drawing)
         std::string(cairo_status_to_string(status)) + ". Write an SVG instead.");
     }
   }
-  return bytes;
+  return npr::LayPagesAsLayers(bytes, layers);
 }

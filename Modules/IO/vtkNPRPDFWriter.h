@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNPRPDFWriter
- * @brief Writes strokes as a PDF drawing of one page, by cairo.
+ * @brief Writes strokes as a PDF drawing of one page, by cairo and qpdf.
  *
- * The same drawing as vtkNPRSVGWriter's, without names of layers, which cairo can't write. The
+ * The same drawing as vtkNPRSVGWriter's, in the same layers by the same names: optional content
+ * groups (PDF 1.5), listed from the lowest to the highest and all on, which viewers switch. The
  * document's subject tells the style, the scale and the camera.
  *
  * @sa vtkNPRDrawingWriter has all settings; vtkNPRSVGWriter
