@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <stdexcept>
 
 namespace npr
 {
@@ -41,8 +42,8 @@ void LayPages(QPDF& document, const std::vector<std::string>& names)
   std::vector<QPDFPageObjectHelper> layers = pages.getAllPages();
   if (layers.size() != std::max<std::size_t>(names.size(), 1))
   {
-    throw DrawingError("of a drawing in " + std::to_string(names.size()) + " layers there are " +
-      std::to_string(layers.size()) + " pages.");
+    throw std::runtime_error("it has " + std::to_string(layers.size()) + " pages for " +
+      std::to_string(names.size()) + " layers");
   }
   Object groups = Object::newArray();
   Object forms = Object::newDictionary();
@@ -105,10 +106,6 @@ std::string LayPagesAsLayers(const std::string& pdf, const std::vector<std::stri
     document.processMemoryFile("pages", pdf.data(), pdf.size());
     LayPages(document, names);
     return Write(document);
-  }
-  catch (const DrawingError&)
-  {
-    throw;
   }
   catch (const std::exception& error)
   {
