@@ -73,8 +73,11 @@ void LayPages(QPDF& document, const std::vector<std::string>& names)
   page.replaceKey("/Contents", Object::newStream(&document, contents));
   if (!names.empty())
   {
+    // Programs list them from the top, and so do people who draw.
+    std::vector<Object> order = groups.getArrayAsVector();
+    std::reverse(order.begin(), order.end());
     Object configuration = Object::newDictionary();
-    configuration.replaceKey("/Order", groups.shallowCopy());
+    configuration.replaceKey("/Order", Object::newArray(order));
     Object optional = Object::newDictionary();
     optional.replaceKey("/OCGs", groups);
     optional.replaceKey("/D", configuration);

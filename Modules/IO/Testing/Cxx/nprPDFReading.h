@@ -13,6 +13,7 @@
 #include <qpdf/QPDFPageObjectHelper.hh>
 #include <qpdf/QPDFWriter.hh>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -179,7 +180,9 @@ inline PDFReading ReadPDF(const std::string& file)
   std::vector<QPDFObjectHandle> groups;
   if (optional.isDictionary())
   {
+    // Listed from the top.
     groups = optional.getKey("/D").getKey("/Order").getArrayAsVector();
+    std::reverse(groups.begin(), groups.end());
     if (optional.getKey("/OCGs").getArrayNItems() != static_cast<int>(groups.size()))
     {
       reading.Problems += "not all layers are listed; ";
