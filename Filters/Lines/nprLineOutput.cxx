@@ -3,7 +3,6 @@
 #include "nprLineOutput.h"
 
 #include "nprArrayNames.h"
-#include "nprLineClusters.h"
 
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -19,12 +18,6 @@ namespace npr
 {
 namespace
 {
-// A part of the surface that lines are known by.
-std::size_t GetPlace(const LineChains& chains, std::size_t vertex)
-{
-  return static_cast<std::size_t>(chains.Triangles[vertex] / LineClusters::TrianglesOfCluster);
-}
-
 // An array of so many tuples: the one that there is if nobody else holds it. Whether what was in it
 // is there still.
 template<typename Array>
@@ -45,90 +38,13 @@ bool Prepare(vtkSmartPointer<Array>& array, const char* name, int components, vt
 }
 
 //------------------------------------------------------------------------------
-ChainIds::Claim ChainIds::GetClaim(const LineChains& chains, std::size_t chain) const
-{
-  std::vector<Claim> votes;
-  for (std::size_t v = chains.Begins[chain]; v < chains.Ends[chain]; ++v)
-  {
-    const std::size_t place = GetPlace(chains, v);
-    const int id = place < this->LastIds.size() ? this->LastIds[place] : NoId;
-    if (id == NoId)
-    {
-      continue;
-    }
-    const auto found =
-      std::find_if(votes.rbegin(), votes.rend(), [id](const Claim& vote) { return vote.Id == id; });
-    if (found == votes.rend())
-    {
-      votes.push_back({ id, 1 });
-    }
-    else
-    {
-      ++found->Votes;
-    }
-  }
-  const auto most = std::max_element(
-    votes.begin(), votes.end(), [](const Claim& a, const Claim& b) { return a.Votes < b.Votes; });
-  return most == votes.end() ? Claim{ NoId, 0 } : *most;
-}
-
-//------------------------------------------------------------------------------
-std::vector<int> ChainIds::Give(const std::vector<Claim>& claims)
-{
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < claims.size(); ++i)
-  {
-    if (claims[i].Id != NoId)
-    {
-      order.push_back(i);
-    }
-  }
-  std::sort(order.begin(), order.end(),
-    [&claims](std::size_t a, std::size_t b)
-    {
-      return claims[a].Id != claims[b].Id    ? claims[a].Id < claims[b].Id
-        : claims[a].Votes != claims[b].Votes ? claims[a].Votes > claims[b].Votes
-                                             : a < b;
-    });
-  std::vector<int> ids(claims.size(), NoId);
-  int last = NoId;
-  for (const std::size_t i : order)
-  {
-    if (claims[i].Id != last)
-    {
-      last = claims[i].Id;
-      ids[i] = last;
-    }
-  }
-  return ids;
-}
-
-//------------------------------------------------------------------------------
-void ChainIds::Remember(
-  const LineChains& chains, const std::vector<std::size_t>& chosen, const std::vector<int>& ids)
-{
-  std::fill(this->LastIds.begin(), this->LastIds.end(), NoId);
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-  {
-    for (std::size_t v = chains.Begins[chosen[i]]; v < chains.Ends[chosen[i]]; ++v)
-    {
-      const std::size_t place = GetPlace(chains, v);
-      if (place >= this->LastIds.size())
-      {
-        this->LastIds.resize(place + 1, NoId);
-      }
-      this->LastIds[place] = ids[i];
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 bool LineOutput::IsWanted(
   const LineChains& chains, std::size_t chain, const ChainIds::Claim& claim) const
 {
   const std::size_t begin = chains.Begins[chain];
   const std::size_t end = chains.Ends[chain];
-  const double share = 2 * claim.Votes > end - begin ? 1.0 - this->Settings.Hysteresis : 1.0;
+  const double share =
+    2 * claim.Votes > static_cast<int>(end - begin) ? 1.0 - this->Settings.Hysteresis : 1.0;
   const double leastStrength = share * this->Settings.MinimumStrength;
   if (begin == end ||
     (leastStrength > 0.0 &&
@@ -201,9 +117,9 @@ LineChoice LineOutput::Choose(const LineChains& chains, const ChainIds& ids) con
   vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
+      ids.GetClaims(chains, begin, end, claims.data() + begin);
       for (vtkIdType chain = begin; chain < end; ++chain)
       {
-        claims[chain] = ids.GetClaim(chains, chain);
         wanted[chain] = this->IsWanted(chains, chain, claims[chain]);
       }
     });
@@ -217,7 +133,7 @@ LineChoice LineOutput::Choose(const LineChains& chains, const ChainIds& ids) con
     }
   }
   claims.resize(choice.Chains.size());
-  choice.Ids = ChainIds::Give(claims);
+  choice.Ids = ids.Give(claims);
   return choice;
 }
 

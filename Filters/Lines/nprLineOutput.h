@@ -3,6 +3,7 @@
 #ifndef nprLineOutput_h
 #define nprLineOutput_h
 
+#include "nprChainIds.h"
 #include "nprLineChains.h"
 #include "nprLineQuantities.h"
 #include "nprLineView.h"
@@ -27,37 +28,6 @@ VTK_ABI_NAMESPACE_END
 
 namespace npr
 {
-/**
- * @class ChainIds
- * @brief Gives the lines of one definition numbers that they keep from view to view.
- *
- * A chain claims the number of the chain that ran through most of its places before; of several
- * that claim one number that with the most such places has it, and the others get new ones.
- */
-class VTKNPRFILTERSLINES_EXPORT ChainIds
-{
-public:
-  /// The number that a chain claims, and through how many of its vertices' places a line with it
-  /// ran before. 0 for none.
-  struct Claim
-  {
-    int Id;
-    std::size_t Votes;
-  };
-  Claim GetClaim(const LineChains& chains, std::size_t chain) const;
-
-  /// What chains with these claims get; NoId is for those that are to get a new number.
-  static constexpr int NoId = -1;
-  static std::vector<int> Give(const std::vector<Claim>& claims);
-
-  /// The numbers that chains have got, for the next view.
-  void Remember(
-    const LineChains& chains, const std::vector<std::size_t>& chosen, const std::vector<int>& ids);
-
-private:
-  std::vector<int> LastIds; // of places on the surface
-};
-
 /// Those of a definition's chains that are written, and their numbers.
 struct LineChoice
 {

@@ -134,6 +134,44 @@ void TestChainIds(Checks& check)
   check(all > 40.0 && kept > 0.9 * all, "lines keep their numbers", kept / all);
 }
 
+// Many short lines side by side, as of a scan.
+void TestCrowdedChainIds(Checks& check)
+{
+  const auto surface = Torus().Make(200, 100);
+  vtkPoints* const points = surface->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    Vector p;
+    points->GetPoint(i, p.data());
+    p *= 1.0 + 0.03 * std::sin(25.0 * p[0]) * std::sin(23.0 * p[1]) * std::sin(27.0 * p[2]);
+    points->SetPoint(i, p.data());
+  }
+  surface->GetPointData()->Initialize();
+  vtkNew<vtkNPRFeatureLines> lines;
+  lines->AddDefinition("apparent-ridges");
+  lines->ComputeMissingArraysOn();
+  vtkNew<vtkCamera> camera;
+  lines->SetCamera(camera);
+  lines->SetInputData(surface);
+  const auto getIds = [&](double degrees)
+  {
+    const double angle = degrees * Pi / 180.0;
+    camera->SetPosition(3.0 * std::sin(angle), 2.0, 3.0 * std::cos(angle));
+    camera->Modified();
+    lines->Update();
+    const auto ids =
+      vtkIntArray::SafeDownCast(lines->GetOutput()->GetCellData()->GetArray(npr::names::ChainId));
+    return std::vector<int>(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues());
+  };
+  const std::vector<int> first = getIds(0.0);
+  check(first.size() > 100, "many lines", static_cast<double>(first.size()));
+  check(getIds(0.0) == first, "the same view has the same numbers");
+  const std::vector<int> moved = getIds(0.05);
+  const auto kept = std::count_if(moved.begin(), moved.end(),
+    [&](int id) { return std::find(first.begin(), first.end(), id) != first.end(); });
+  check(kept > 0.95 * moved.size(), "lines keep their numbers", double(kept) / moved.size());
+}
+
 // How often the number of lines changes while the eye comes and goes a little around the place
 // where one is just long enough.
 int CountChanges(double hysteresis, double minimumLength)
@@ -175,6 +213,7 @@ int TestMovingLines(int, char*[])
   TestMovingPoints(check);
   TestWhatIsKept(check);
   TestChainIds(check);
+  TestCrowdedChainIds(check);
   TestHysteresis(check);
   return check.GetResult();
 }
