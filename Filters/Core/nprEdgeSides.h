@@ -61,6 +61,9 @@ public:
   double GetHeight() const { return this->Apex[1]; }
   /// How far it goes in that triangle. Negative where it goes nowhere.
   double GetStep() const { return this->Step; }
+  /// The angle between that triangle and the one before, in radians; negative where the surface is
+  /// hollow there, as seen from the side of the normals.
+  double GetBend() const { return this->Bend; }
 
   /// On to the next triangle. False at a border, at triangles without area, and after so many
   /// that it must be winding around a point.
@@ -93,7 +96,12 @@ public:
     {
       this->Turned = -this->Turned;
     }
+    const Vector before = this->Normal;
+    const Vector start = this->Sides.GetPoint(leaving);
     this->Enter(next);
+    const double angle = std::atan2(before.cross(this->Normal).norm(), before.dot(this->Normal));
+    const Vector apex = this->Sides.GetPoint(3 * (next / 3) + (next + 2) % 3);
+    this->Bend = before.dot(apex - start) > 0.0 ? -angle : angle;
     this->FindExit();
     return true;
   }
@@ -144,6 +152,7 @@ private:
   Vector2 ExitFrom;
   Vector2 ExitEdge;
   double Step = 0.0;
+  double Bend = 0.0;
 };
 
 /// The mean normal on one side of an edge, as far as a distance; not a unit vector.
@@ -169,27 +178,16 @@ Eigen::Vector3d GetSideNormal(const Surface& surface, TriangleMesh::Index halfEd
   return sum;
 }
 
-/// Goes over the bends of the surface on one side of an edge: visit(distance, angle), in radians,
-/// says whether to go on.
+/// Goes over the bends of the surface on one side of an edge: visit(distance, bend), in radians and
+/// negative where it is hollow, says whether to go on.
 template<typename Surface, typename Visitor>
 void VisitBends(const Surface& surface, TriangleMesh::Index halfEdge, const Visitor& visit)
 {
   PathAcross<Surface> path(surface, halfEdge);
-  double distance = 0.0;
-  Eigen::Vector3d before = path.GetNormal();
-  for (;;)
+  double distance = path.GetStep();
+  while (path.Advance() && visit(distance, path.GetBend()))
   {
     distance += path.GetStep();
-    if (!path.Advance())
-    {
-      return;
-    }
-    const Eigen::Vector3d& normal = path.GetNormal();
-    if (!visit(distance, std::atan2(before.cross(normal).norm(), before.dot(normal))))
-    {
-      return;
-    }
-    before = normal;
   }
 }
 
@@ -201,44 +199,59 @@ struct BendsBeside
 };
 
 /**
- * The largest angles between the triangles of the next edges across, on the one side of an edge and
- * on the other.
+ * The largest angles between the triangles of the next edges across that may be of the same round
+ * face as an edge, on the one side of it and on the other. Between wide facets those are not that
+ * are bent the other way, or so much more that the face ends there; between small ones, such as a
+ * scan's, which go up and down by its noise, all may be.
  *
  * Looked at are the edges three times as far as the nearest that is bent: so the far ends of flat
  * faces do not matter. What is nearer than the least distance does not tell how far to look, since
  * it may be a sliver's.
+ *
+ * @param angle between the two triangles of the edge, in radians
  */
 template<typename Surface>
 BendsBeside GetBendsBeside(const Surface& surface, TriangleMesh::Index first,
-  TriangleMesh::Index second, double leastDistance)
+  TriangleMesh::Index second, double angle, double leastDistance)
 {
   constexpr double leastBend = 0.0175; // one degree: less is flat
   // Round-off must not tell an edge at the very distance from one beyond it.
   constexpr double reach = 3.001;
+  constexpr double mostRatio = 2.2;
+  constexpr double wide = 10.0; // least distances
+  const double own = std::copysign(angle,
+    PathAcross<Surface>(surface, first)
+      .GetNormal()
+      .dot(surface.GetPoint(first) - surface.GetPoint(3 * (second / 3) + (second + 2) % 3)));
   double nearest = std::numeric_limits<double>::infinity();
   for (const TriangleMesh::Index side : { first, second })
   {
     VisitBends(surface, side,
       [&](double distance, double bend)
       {
-        if (distance >= leastDistance && bend > leastBend)
+        if (distance >= leastDistance && std::abs(bend) > leastBend)
         {
           nearest = std::min(nearest, distance);
         }
         return distance < nearest;
       });
   }
+  const bool isWide = nearest > wide * leastDistance;
   std::array<double, 2> largest = { 0.0, 0.0 };
   for (const int side : { 0, 1 })
   {
-    VisitBends(surface, side == 0 ? first : second,
+    // Each path starts from its own triangle, whose normal may be turned.
+    const TriangleMesh::Index start = side == 0 ? first : second;
+    const bool isTurned = side == 1 && !surface.AreOpposite(first, second);
+    VisitBends(surface, start,
       [&](double distance, double bend)
       {
-        if (distance > reach * nearest)
+        const double ratio = (isTurned ? -bend : bend) / own;
+        if (distance > reach * nearest || (isWide && ratio > mostRatio))
         {
           return false;
         }
-        largest[side] = std::max(largest[side], bend);
+        largest[side] = std::max(largest[side], isWide ? ratio * angle : std::abs(bend));
         return true;
       });
   }

@@ -97,7 +97,7 @@ void vtkNPRCreases::EvaluateEdges(const npr::LineSurface& surface, const npr::Li
           (accepted ? angle < npr::GetRoundAngle(sharp) : isSeam && least > soft))
         {
           const npr::BendsBeside beside =
-            npr::GetBendsBeside(sides, side[0], side[1], WiderView * distance);
+            npr::GetBendsBeside(sides, side[0], side[1], angle, WiderView * distance);
           accepted = accepted ? !npr::IsOfRound(angle, beside, surface.GetLengthScale())
                               : npr::StandsOut(angle, beside);
         }

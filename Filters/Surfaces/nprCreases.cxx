@@ -276,14 +276,16 @@ EdgeFlags FindCreases(const TriangleMesh& mesh, double angle)
           if (isSharp(sharpCosine))
           {
             creases[t][e] = bend < GetRoundAngle(sharp) &&
-                IsOfRound(bend, GetBendsBeside(sides, first, second, leastDetail), lengthScale)
+                IsOfRound(
+                  bend, GetBendsBeside(sides, first, second, bend, leastDetail), lengthScale)
               ? Smooth
               : Sharp;
           }
           else if (isSharp(softCosine))
           {
-            creases[t][e] =
-              StandsOut(bend, GetBendsBeside(sides, first, second, leastDetail)) ? Soft : Smooth;
+            creases[t][e] = StandsOut(bend, GetBendsBeside(sides, first, second, bend, leastDetail))
+              ? Soft
+              : Smooth;
           }
         }
       }

@@ -186,6 +186,28 @@ void TestChamfers(Checks& check)
   }
 }
 
+// A shaft that gets thinner, or thicker, by a cone of 29 degrees, with flat ends.
+void TestTurnedParts(Checks& check)
+{
+  const Profile outline = { { 0.2, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.5, 1.9 }, { 0.5, 2.7 },
+    { 0.2, 2.7 } };
+  const int rows = static_cast<int>(outline.size());
+  for (const int sides : { 16, 40, 100 })
+  {
+    auto shaft = MakeGrid(sides, rows, true, false);
+    for (vtkIdType i = 0; i < shaft->GetNumberOfPoints(); ++i)
+    {
+      const auto& [radius, height] = outline[i % rows];
+      const double angle = 2.0 * Pi * static_cast<double>(i / rows) / sides;
+      shaft->GetPoints()->SetPoint(i, radius * std::cos(angle), radius * std::sin(angle), height);
+    }
+    const auto chains = ExtractCreases(shaft, check);
+    check(chains.size() == 4 &&
+        std::all_of(chains.begin(), chains.end(), [](const Chain& chain) { return chain.Closed; }),
+      "it has the rims of its ends and those of the cone", static_cast<double>(chains.size()));
+  }
+}
+
 // A fold across a sheet, whose angle is the same all along or falls to nothing.
 void TestFolds(Checks& check)
 {
@@ -218,6 +240,7 @@ int TestSoftCreases(int, char*[])
   TestFillets(check);
   TestRounds(check);
   TestChamfers(check);
+  TestTurnedParts(check);
   TestFolds(check);
   return check.GetResult();
 }
