@@ -4,6 +4,7 @@
 
 #include "nprCracks.h"
 #include "nprCreases.h"
+#include "nprFoldovers.h"
 #include "nprHoles.h"
 #include "nprLengthScale.h"
 #include "nprOrientation.h"
@@ -102,8 +103,9 @@ public:
     // Each with its share of the time that the whole takes, about.
     const std::pair<Step, double> steps[] = { { &Preparation::Triangulate, 0.15 },
       { &Preparation::Weld, 0.15 }, { &Preparation::Clean, 0.3 },
-      { &Preparation::SplitNonManifold, 0.1 }, { &Preparation::Orient, 0.15 },
-      { &Preparation::Fill, 0.0 }, { &Preparation::SplitCreases, 0.15 } };
+      { &Preparation::SplitNonManifold, 0.1 }, { &Preparation::Orient, 0.1 },
+      { &Preparation::MendFolds, 0.05 }, { &Preparation::Fill, 0.0 },
+      { &Preparation::SplitCreases, 0.15 } };
     double done = 0.0;
     for (const auto& [step, share] : steps)
     {
@@ -223,6 +225,15 @@ private:
     {
       this->Counts.NonManifoldSplitPoints += this->Split(disagreements, true);
       this->RebuildMesh();
+    }
+  }
+
+  void MendFolds()
+  {
+    // What faces backwards is known only where triangles agree.
+    if (this->Options.Orient)
+    {
+      MendFoldovers(this->Mesh, this->Surface);
     }
   }
 

@@ -52,6 +52,8 @@ struct SurfacePreparationCounts
   vtkIdType NonOrientableEdges = 0;  ///< edges whose triangles can not be made to agree
   vtkIdType NonManifoldSplitPoints = 0; ///< copies of points made for all these
   vtkIdType BoundaryEdges = 0;          ///< edges with one triangle, before splits and fillings
+  vtkIdType MendedFoldovers = 0;        ///< edges flipped to lay triangles back
+  vtkIdType LeftFoldovers = 0;          ///< triangles still folded over all their neighbours
   vtkIdType FilledHoles = 0;            ///< closed
   vtkIdType FillingTriangles = 0;       ///< that did it
   vtkIdType OpenHoles = 0;              ///< short enough to be filled, but it would have done harm

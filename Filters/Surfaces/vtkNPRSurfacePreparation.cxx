@@ -53,6 +53,8 @@ const Count AllCounts[] = {
   { &Counts::NonManifoldSplitPoints, "NonManifoldSplitPoints",
     "points made by splitting into manifolds" },
   { &Counts::BoundaryEdges, "BoundaryEdges", "boundary edges" },
+  { &Counts::MendedFoldovers, "MendedFoldovers", "folded-over triangles mended" },
+  { &Counts::LeftFoldovers, "LeftFoldovers", "folded-over triangles left" },
   { &Counts::FilledHoles, "FilledHoles", "holes filled" },
   { &Counts::FillingTriangles, "FillingTriangles", "triangles added to fill them" },
   { &Counts::OpenHoles, "OpenHoles", "holes left open" },

@@ -12,9 +12,11 @@
  * part a common edge differently, by splitting the triangles there (not with Weld off); the surface
  * split where it is no manifold, so that each edge has at most two triangles and each point one fan
  * of them; triangles oriented alike across edges that have two, with the normals of closed
- * components outside, and open ones left as most of their triangles were; small holes filled, if
- * asked for; and the surface split into smooth patches along its creases, so that normals and
- * curvatures there are those of either side and nothing is smeared across.
+ * components outside, and open ones left as most of their triangles were; triangles laid back that
+ * are folded over their neighbours, by flipping an edge (slivers of CAD are so; see
+ * npr::MendFoldovers); small holes filled, if asked for; and the surface split into smooth patches
+ * along its creases, so that normals and curvatures there are those of either side and nothing is
+ * smeared across.
  *
  * Points keep their precision, and point and cell arrays pass; triangles that fill a hole have the
  * cell data of a triangle beside it. The output has the point array WeldedPointIds (for copies that
@@ -63,7 +65,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether triangles are turned until neighbours agree, and outwards. Default is on.
+  /// Whether triangles are turned until neighbours agree, and outwards, and those mended that are
+  /// folded over. Default is on.
   vtkSetMacro(Orient, bool);
   vtkGetMacro(Orient, bool);
   vtkBooleanMacro(Orient, bool);
@@ -139,6 +142,11 @@ public:
   }
   /// Edges with one triangle, before anything was split or filled.
   vtkIdType GetNumberOfBoundaryEdges() const { return this->Counts.BoundaryEdges; }
+  /// Edges flipped where a triangle was folded over its neighbours, so that it no longer is. None
+  /// if triangles are not oriented.
+  vtkIdType GetNumberOfMendedFoldovers() const { return this->Counts.MendedFoldovers; }
+  /// Triangles that are folded over all their neighbours, and no flip helps.
+  vtkIdType GetNumberOfLeftFoldovers() const { return this->Counts.LeftFoldovers; }
   /// Holes that were filled.
   vtkIdType GetNumberOfFilledHoles() const { return this->Counts.FilledHoles; }
   /// Triangles that fill them.
