@@ -216,10 +216,12 @@ Soup Shuffle(const Soup& soup, vtkMinimalStandardRandomSequence* random)
   return shuffled;
 }
 
-/// A torus that edges are flipped in at random, so that folds lie upon folds.
-Soup MakeTangle(vtkMinimalStandardRandomSequence* random)
+/// A torus that edges are flipped in at random, so that folds lie upon folds. With few points
+/// around its tube an edge may be there already, on the other side.
+Soup MakeTangle(int around, vtkMinimalStandardRandomSequence* random)
 {
-  const AnalyticSurface torus = MakeTorus(1.0, 0.4, 40, 20);
+  const AnalyticSurface torus = MakeTorus(1.0, 0.4, 2 * around, around);
+  const double stray = 0.6 / around;
   Soup soup;
   for (const Truth& truth : torus.Truths)
   {
@@ -227,7 +229,7 @@ Soup MakeTangle(vtkMinimalStandardRandomSequence* random)
     for (int i = 0; i < 3; ++i)
     {
       random->Next();
-      point[i] = truth.Point[i] + 0.03 * (random->GetValue() - 0.5);
+      point[i] = truth.Point[i] + stray * (random->GetValue() - 0.5);
     }
     soup.Positions.push_back(point);
   }
@@ -241,8 +243,9 @@ Soup MakeTangle(vtkMinimalStandardRandomSequence* random)
       users[{ soup.Triangles[t][e], soup.Triangles[t][(e + 1) % 3] }] = t;
     }
   }
-  for (std::size_t t = 0; t < soup.Triangles.size(); ++t)
+  for (std::size_t i = 0; i < 2 * soup.Triangles.size(); ++i)
   {
+    const std::size_t t = i % soup.Triangles.size();
     random->Next();
     const auto [a, b, c] = soup.Triangles[t];
     const std::size_t other = users.at({ b, a });
@@ -296,9 +299,9 @@ vtkIdType CountBends(vtkPolyData* mesh, double angle)
 void TestTangles(Checks& check)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
-  for (int trial = 0; trial < 8; ++trial)
+  for (int trial = 0; trial < 40; ++trial)
   {
-    const Soup soup = MakeTangle(random);
+    const Soup soup = MakeTangle(4 + trial, random);
     const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(soup);
     const auto preparation = Prepare(mesh);
     vtkPolyData* const output = preparation->GetOutput();
@@ -306,7 +309,8 @@ void TestTangles(Checks& check)
     const vtkIdType after = CountBends(output, 135.0);
     std::cout << "tangle: " << before << " sharp bends, then " << after << ": "
               << preparation->GetReport() << "\n";
-    check(preparation->GetNumberOfMendedFoldovers() > 0, "folds of a tangle are mended");
+    check(
+      trial < 10 || preparation->GetNumberOfMendedFoldovers() > 0, "folds of a tangle are mended");
     check(after + preparation->GetNumberOfMendedFoldovers() <= before,
       "each flip takes one away, and makes none", static_cast<double>(after));
     const Shape shape = GetShape(output);
@@ -388,6 +392,63 @@ void TestTouchingFin(Checks& check)
   const auto again = Prepare(preparation->GetOutput());
   check(again->GetNumberOfNonManifoldEdges() == 0, "no edge has three triangles once welded",
     again->GetNumberOfNonManifoldEdges());
+}
+
+/// Three triangles, one between two others, with points at random: the flip is the one that the
+/// rule says.
+void TestRule(Checks& check)
+{
+  constexpr double fold = -0.7071;
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  int flips = 0;
+  for (int trial = 0; trial < 20000; ++trial)
+  {
+    Soup soup;
+    std::array<Vector3d, 5> points;
+    for (Vector3d& point : points)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        random->Next();
+        point[i] = static_cast<float>((i < 2 ? 1.0 : 0.3) * random->GetValue());
+      }
+      soup.Positions.push_back({ point[0], point[1], point[2] });
+    }
+    const auto normal = [&](const Corners& corners)
+    {
+      const Vector3d& origin = points[corners[0]];
+      const Vector3d area = (points[corners[1]] - origin).cross(points[corners[2]] - origin);
+      return Vector3d(area.normalized());
+    };
+    const auto cosine = [&](const Corners& a, const Corners& b)
+    { return normal(a).dot(normal(b)); };
+    const Corners middle = { 0, 1, 2 };
+    const Corners atEdge[2] = { { 1, 0, 3 }, { 2, 1, 4 } };
+    soup.Triangles = { middle, atEdge[0], atEdge[1] };
+    soup.Regions = { 0, 1, 2 };
+    const double before[2] = { cosine(middle, atEdge[0]), cosine(middle, atEdge[1]) };
+    // After either flip the two new triangles, of which the first is beside the other neighbour.
+    const Corners after[2][2] = { { { 3, 1, 2 }, { 2, 0, 3 } }, { { 0, 1, 4 }, { 4, 2, 0 } } };
+    Soup expected = soup;
+    double best = -2.0;
+    for (int flip = 0; flip < 2; ++flip)
+    {
+      const double inner = cosine(after[flip][0], after[flip][1]);
+      const double outer = cosine(after[flip][0], atEdge[1 - flip]);
+      if (before[0] < fold && before[1] < fold && inner >= fold && outer > before[1 - flip] &&
+        std::min(inner, outer) > best)
+      {
+        best = std::min(inner, outer);
+        expected.Triangles = { after[flip][0], after[flip][1], atEdge[1 - flip] };
+        expected.Regions = { 1 + flip, 1 + flip, 2 - flip };
+      }
+    }
+    flips += best > -2.0;
+    check(GetPlaced(Prepare(MakeMesh(soup))->GetOutput()) == GetPlaced(MakeMesh(expected)),
+      "the flip is that of the rule", trial);
+  }
+  std::cout << "rule: " << flips << " flips\n";
+  check(flips > 100, "there are flips", flips);
 }
 
 /// A flat body, closed and with ears on top: polygons of points on a circle, the upper one a fan
@@ -492,6 +553,7 @@ int TestSurfaceFoldovers(int, char*[])
   Checks check;
   TestFillet(check);
   TestTangles(check);
+  TestRule(check);
   TestHopeless(check);
   TestTouchingFin(check);
   TestUntouched(check);
