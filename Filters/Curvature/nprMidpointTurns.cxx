@@ -100,7 +100,7 @@ void LimitTurns(const TriangleMesh& mesh, const Tuples<3>& normals,
   std::vector<unsigned char> isChanged(moves.size());
   ForAll(moves.size(), [&](Index edge) { isChanged[edge] = moves[edge].squaredNorm() > 0.0; });
   std::vector<unsigned char> isNear(mesh.GetNumberOfPoints());
-  for (int round = 0; round < MidpointTurnsReach; ++round)
+  for (int round = 0; round < MidpointTurnsRounds; ++round)
   {
     // Most triangles of a fine mesh have no edge that moves.
     std::fill(isNear.begin(), isNear.end(), 0);

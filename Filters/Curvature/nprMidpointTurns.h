@@ -14,8 +14,12 @@
 
 namespace npr
 {
-/// How often moves are lessened, and so how many rings of triangles one move is felt.
-inline constexpr int MidpointTurnsReach = 3;
+/// How often moves are lessened.
+inline constexpr int MidpointTurnsRounds = 3;
+/// Of how many rings of triangles around an edge it may depend how its move is lessened. Each round
+/// goes from an edge of a triangle to another one, and the two have a point in common: so two
+/// rounds see the triangles around the same points, and every second goes one ring farther.
+inline constexpr int MidpointTurnsReach = (MidpointTurnsRounds + 1) / 2;
 
 /**
  * Lessens moves of midpoints of edges where they would turn a part of a triangle farther from the

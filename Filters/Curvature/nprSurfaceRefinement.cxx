@@ -36,7 +36,6 @@ constexpr double LargestLoss = 0.125;
 constexpr double FlatCosine = 0.9999;     // less than 0.8 degrees from end to end
 constexpr double FlatSlope = 0.01;        // between a normal and the plane across the edge
 constexpr int MaximumNumberOfPasses = 12; // each halves the edges
-static_assert(RefinementReach == MaximumNumberOfPasses * (1 + MidpointTurnsReach));
 
 /// Edges that are copies of one, where the preparation has split the surface.
 using Copies = std::vector<Index>;
@@ -487,6 +486,19 @@ private:
   std::vector<Vector3d> Moves;    // from the middle of edges that are first copies
   std::vector<Index> Midpoints;   // of the edges, or -1
 };
+}
+
+//------------------------------------------------------------------------------
+int GetRefinementReach(int numberOfLevels)
+{
+  constexpr int ofPass = MidpointTurnsReach + 1;
+  if (numberOfLevels < 0)
+  {
+    return MaximumNumberOfPasses * ofPass;
+  }
+  // 1 + 1/2 + 1/4 ...
+  const double sum = 2.0 - std::ldexp(2.0, -numberOfLevels);
+  return static_cast<int>(std::ceil(ofPass * sum));
 }
 
 //------------------------------------------------------------------------------

@@ -17,9 +17,16 @@
 
 namespace npr
 {
-/// Of how many rings of triangles around an edge it may depend how it is parted: in each of 12
-/// passes one, and three more of triangles that must not turn away.
-inline constexpr int RefinementReach = 48;
+/**
+ * Of how many rings of triangles around it it may depend how a triangle is parted: in each pass of
+ * so many as MidpointTurnsReach says, and one more for the edges around the ends of the farthest.
+ * Where all edges are parted, each pass has rings half as wide as the one before, and so the sum
+ * has a limit. Where some are not, triangles may stay as long as they are while they are parted,
+ * along a cylinder for instance, and each of 12 passes may go as far as the first.
+ *
+ * @param numberOfLevels passes that part every edge; negative: passes that part some
+ */
+VTKNPRFILTERSCURVATURE_EXPORT int GetRefinementReach(int numberOfLevels);
 
 struct SurfaceRefinementOptions
 {

@@ -182,7 +182,7 @@ int vtkNPRSurfaceRefinement::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   npr::RequestGhostLevels(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0),
-    npr::RefinementReach + npr::NormalsReach);
+    npr::GetRefinementReach(this->NumberOfLevels) + npr::NormalsReach);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
