@@ -128,9 +128,12 @@ void LineExtractor::FindCandidates()
 void LineExtractor::Extract(
   const LineView& view, const LineOptions& options, FieldValues& values, LineSegments& segments)
 {
-  segments.Crossings.clear();
   segments.Pieces.clear();
-  if (this->Definition.HasField())
+  if (!this->Definition.HasField())
+  {
+    segments.Crossings.clear();
+  }
+  else
   {
     values.Start(this->Definition, view, this->Levels, this->GetDoubts(options));
     this->AddCrossings(view, options, values, segments);
@@ -225,6 +228,7 @@ void LineExtractor::AddCrossings(
   {
     offsets[p + 1] = offsets[p] + this->Parts[p].Crossings.size();
   }
+  // What was there is overwritten: to clear it first would write all of it twice.
   segments.Crossings.resize(offsets.back());
   ForEach(this->Parts,
     [&](Index p)
@@ -303,13 +307,17 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
 {
   const TriangleMesh& mesh = this->Surface.GetMesh();
   part.Crossed.clear();
-  std::array<CrossedTriangle, LineClusters::TrianglesOfCluster> found;
-  const auto keep = [&](std::size_t size)
-  { part.Crossed.insert(part.Crossed.end(), found.begin(), found.begin() + size); };
+  // Those of some clusters, before they go to the others.
+  std::array<CrossedTriangle, 16 * LineClusters::TrianglesOfCluster> found;
+  std::size_t size = 0;
+  const auto keep = [&]()
+  {
+    part.Crossed.insert(part.Crossed.end(), found.begin(), found.begin() + size);
+    size = 0;
+  };
   // `at` gives the number of a triangle, for 0 <= i < count.
   const auto lookBySides = [&](Index count, const auto& at)
   {
-    std::size_t size = 0;
     for (Index i = 0; i < count; ++i)
     {
       const Index triangle = at(i);
@@ -317,13 +325,11 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
       found[size] = { triangle, edges };
       size += edges != 0;
     }
-    keep(size);
   };
   const Index lastTriangle = mesh.GetNumberOfTriangles() - 1;
   const auto lookByAxes = [&](Index first, Index count)
   {
     constexpr Index ahead = 8;
-    std::size_t size = 0;
     for (Index i = 0; i < count; i += NumberOfLanes)
     {
       std::array<Index, NumberOfLanes> triangles;
@@ -339,7 +345,6 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
         size += edges[lane] != 0;
       }
     }
-    keep(size);
   };
   for (std::size_t c = 0; c < part.Clusters.size(); ++c)
   {
@@ -351,6 +356,10 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
     if (this->IsOnOneSide(cluster, values))
     {
       continue;
+    }
+    if (size + LineClusters::TrianglesOfCluster > found.size())
+    {
+      keep();
     }
     const Index first = this->Clusters.GetFirstTriangle(cluster);
     const Index count = this->Clusters.GetTriangleEnd(cluster) - first;
@@ -369,6 +378,7 @@ void LineExtractor::FindCrossed(const FieldValues& values, Part& part) const
       lookBySides(count, [first](Index i) { return first + i; });
     }
   }
+  keep();
 }
 
 //------------------------------------------------------------------------------

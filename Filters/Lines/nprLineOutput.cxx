@@ -187,6 +187,7 @@ void LineOutput::WriteLines()
   const auto writeLine = [&](vtkIdType i)
   {
     const Line& line = this->Lines[i];
+    this->WriteDistances(line);
     const LineChains& chains = *line.Chains;
     const std::size_t begin = chains.Begins[line.Chain];
     const vtkIdType size = static_cast<vtkIdType>(chains.GetSize(line.Chain));
@@ -238,24 +239,17 @@ void LineOutput::WriteLines()
 }
 
 //------------------------------------------------------------------------------
-void LineOutput::WriteDistances()
+void LineOutput::WriteDistances(const Line& line)
 {
-  Prepare(this->Written.Distances, names::ViewDistance, 1, this->NumberOfPoints);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Lines.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  if (this->Settings.Ruler)
+  {
+    float* distance = this->Written.Distances->GetPointer(line.FirstPoint);
+    for (std::size_t v = line.Chains->Begins[line.Chain]; v < line.Chains->Ends[line.Chain]; ++v)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Line& line = this->Lines[i];
-        float* distance = this->Written.Distances->GetPointer(line.FirstPoint);
-        for (std::size_t v = line.Chains->Begins[line.Chain]; v < line.Chains->Ends[line.Chain];
-             ++v)
-        {
-          *distance++ =
-            static_cast<float>(this->Settings.Ruler->GetDistance(line.Chains->Positions[v]));
-        }
-      }
-    });
+      *distance++ =
+        static_cast<float>(this->Settings.Ruler->GetDistance(line.Chains->Positions[v]));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -290,6 +284,10 @@ void LineOutput::WriteQuantities(const LineSurface& surface, const LineView& vie
 //------------------------------------------------------------------------------
 void LineOutput::Write(vtkPolyData* output)
 {
+  if (this->Settings.Ruler)
+  {
+    Prepare(this->Written.Distances, names::ViewDistance, 1, this->NumberOfPoints);
+  }
   const bool isUnchanged = this->Written.Points && this->Lines.size() == this->LastLines.size() &&
     std::all_of(
       this->Lines.begin(), this->Lines.end(), [](const Line& line) { return line.IsUnchanged; });
@@ -300,6 +298,17 @@ void LineOutput::Write(vtkPolyData* output)
     this->Written.Cells = nullptr;
     this->WriteLines();
   }
+  else
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Lines.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          this->WriteDistances(this->Lines[i]);
+        }
+      });
+  }
   const Arrays& from = this->Written;
   output->SetPoints(from.Points);
   output->SetLines(from.Cells);
@@ -309,7 +318,6 @@ void LineOutput::Write(vtkPolyData* output)
   pointData->AddArray(from.ArcLengths);
   if (this->Settings.Ruler)
   {
-    this->WriteDistances();
     pointData->AddArray(from.Distances);
   }
   if (std::any_of(this->Lines.begin(), this->Lines.end(),

@@ -107,7 +107,7 @@ private:
   };
   bool IsWanted(const LineChains& chains, std::size_t chain, const ChainIds::Claim& claim) const;
   void WriteLines();
-  void WriteDistances();
+  void WriteDistances(const Line& line);
 
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
   Options Settings;
