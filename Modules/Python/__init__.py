@@ -59,9 +59,10 @@ def illustrate(renderer, style="technical", lines=None):
     The renderer should be in a window that has its size, and its camera should be set. `style` is
     the name of a built-in style or the path of a style file, `lines` the kinds of lines to draw
     instead of the style's, also those of define_lines(): names, or the name of one. Returns the
-    vtkNPRIllustration; keep it as long as the illustration is to be seen. Raises ValueError for a
-    style that is not valid, RuntimeError for errors of filters and readers that it runs, and what
-    the functions of define_lines() raise; the renderer is then as it was.
+    vtkNPRIllustration; keep it as long as the illustration is to be seen: its Remove(), or another
+    illustrate(), takes it off. Raises ValueError for a style that is not valid, RuntimeError for
+    errors of filters and readers that it runs, and what the functions of define_lines() raise; the
+    renderer is then as it was.
     """
     if isinstance(lines, str):
         lines = [lines]

@@ -29,9 +29,20 @@
 #include <vtkTransformPolyDataFilter.h>
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 vtkStandardNewMacro(vtkNPRIllustration);
+
+namespace
+{
+// Those that are on, by their renderers.
+std::map<vtkRenderer*, vtkNPRIllustration*>& GetIllustrations()
+{
+  static std::map<vtkRenderer*, vtkNPRIllustration*> illustrations;
+  return illustrations;
+}
+}
 
 //------------------------------------------------------------------------------
 class vtkNPRIllustration::Internals
@@ -51,6 +62,7 @@ public:
     if (this->Renderer)
     {
       this->Renderer->RemoveObserver(this->StartObserver);
+      GetIllustrations().erase(this->Renderer);
     }
     this->Cut.reset();
     this->Actors.clear();
@@ -60,6 +72,13 @@ public:
 
   void Apply(vtkRenderer* renderer, const npr::StyleDocument& style)
   {
+    // What another has changed would come back, or go, in the wrong order.
+    const auto other = GetIllustrations().find(renderer);
+    if (other != GetIllustrations().end())
+    {
+      other->second->Remove();
+    }
+    GetIllustrations()[renderer] = this->Self;
     this->Renderer = renderer;
     this->OnRenderer = std::make_unique<npr::RendererIllustration>(renderer, style);
     if (!this->OnRenderer->HasOutline())

@@ -21,10 +21,11 @@
  * @endcode
  *
  * Actors are shown through a mapper of ours while the illustration is on; Remove() gives back their
- * own mappers and properties and the renderer's pass, lights and background. An actor that is added
- * later is illustrated by the next Apply(). Actors with wireframe or point representation, without
- * surface, parts of assemblies and other props are left as they are; of an illustrated actor only
- * the surface is shown. Depth peeling is off meanwhile.
+ * own mappers and properties and the renderer's pass, lights and background. A renderer has one
+ * illustration: Apply() removes another that is on it. An actor that is added later is illustrated
+ * by the next Apply(). Actors with wireframe or point representation, without surface, parts of
+ * assemblies and other props are left as they are; of an illustrated actor only the surface is
+ * shown. Depth peeling is off meanwhile.
  *
  * Invokes vtkCommand::ProgressEvent with the progress of its filters.
  *

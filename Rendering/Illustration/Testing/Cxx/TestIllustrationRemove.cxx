@@ -51,6 +51,32 @@ int TestIllustrationRemove(int, char*[])
     return EXIT_FAILURE;
   }
 
+  // One after the other, and taken off in the same order.
+  {
+    vtkNew<vtkNPRIllustration> first;
+    vtkNew<vtkNPRIllustration> second;
+    for (vtkNPRIllustration* illustration : { first.Get(), second.Get() })
+    {
+      illustration->SetRenderer(scene.Renderer);
+      if (!illustration->Apply())
+      {
+        return EXIT_FAILURE;
+      }
+      scene.Render();
+    }
+    first->Remove();
+    if (npr::ComputeLargestDifference(before, scene.Render()) < 50)
+    {
+      std::cerr << "FAILED: the second illustration went with the first\n";
+      return EXIT_FAILURE;
+    }
+  }
+  if (npr::ComputeLargestDifference(before, scene.Render()) != 0)
+  {
+    std::cerr << "FAILED: two illustrations did not give back the renderer\n";
+    return EXIT_FAILURE;
+  }
+
   vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkNPRIllustration> alone;
   return alone->Apply() ? EXIT_FAILURE : EXIT_SUCCESS;
