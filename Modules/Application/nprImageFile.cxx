@@ -93,6 +93,19 @@ private:
   std::array<void (*)(int), 3> Previous{};
 };
 char PartialFileGuard::Path[4096];
+
+//------------------------------------------------------------------------------
+// The file that links lead to, so that it is written and they stay.
+fs::path FollowLinks(fs::path file)
+{
+  constexpr int mostLinks = 40;
+  std::error_code error;
+  for (int i = 0; i < mostLinks && fs::is_symlink(file, error); ++i)
+  {
+    file = file.parent_path() / fs::read_symlink(file, error);
+  }
+  return file;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -123,6 +136,11 @@ void CheckWritable(const std::string& file)
   if (fs::is_directory(file, ignored))
   {
     throw CommandError(OutputError, file + " is a folder; name a file in it");
+  }
+  // Drawings are written whole and then moved to their place: that would take a device away.
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+  {
+    throw CommandError(OutputError, file + " is a device or a pipe; name a file");
   }
   if (access(folder.c_str(), W_OK) != 0 ||
     (fs::exists(file, ignored) && access(file.c_str(), W_OK) != 0))
@@ -163,9 +181,9 @@ void CheckTransparency(const std::string& file)
 //------------------------------------------------------------------------------
 void WriteWhole(const std::string& file, const std::function<bool(const std::string&)>& write)
 {
-  const fs::path target(file);
-  const fs::path partial =
-    target.parent_path() / (".part-" + std::to_string(getpid()) + "-" + target.filename().string());
+  const fs::path target = FollowLinks(file);
+  const fs::path partial = target.parent_path() /
+    (".part-" + std::to_string(getpid()) + "-" + fs::path(file).filename().string());
   std::error_code error;
   const PartialFileGuard guard(partial.string());
   const bool good = write(partial.string()) && fs::exists(partial, error);

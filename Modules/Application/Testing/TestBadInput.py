@@ -122,6 +122,23 @@ class TestBadInput(CommandTest):
     def test_unknown_image_kind(self):
         self.refuse(["render", self.model, "-o", self.path("image.xyz")], USAGE, ".png")
 
+    def test_devices_are_not_replaced(self):
+        pipe = self.path("pipe.png")
+        os.mkfifo(pipe)
+        self.refuse(["render", self.model, "-o", pipe], OUTPUT, pipe, "name a file")
+
+    def test_links_stay(self):
+        target = self.path("target.png")
+        link = self.path("link.png")
+        os.symlink("target.png", link)
+        for _ in range(2):  # it leads nowhere, then to a file
+            self.assertEqual(run("render", self.model, "-o", link).returncode, 0)
+            self.assertTrue(os.path.islink(link))
+            with open(target, "rb") as file:
+                self.assertEqual(file.read(4), b"\x89PNG")
+            with open(target, "wb") as file:
+                file.write(b"old")
+
     def test_bad_words(self):
         for words in (
             ["frobnicate"],
