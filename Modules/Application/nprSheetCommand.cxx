@@ -292,9 +292,11 @@ void AddSheetCommand(CLI::App& program, Reporter& reporter)
   options->Models.AddWithSampleTo(
     *command, "Draw the built-in sample; so it is without a model, too");
   command->add_option("-o,--output", options->Output, "The image: .png, .jpg, .tif, .bmp or .ppm");
-  command->add_option("--lines", options->Lines,
-    "Which kinds of lines, such as contours,creases (npr lines --list); default: all but "
-    "those that need an expression of yours, or data that the model has not");
+  command
+    ->add_option("--lines", options->Lines,
+      "Which kinds of lines, such as contours,creases (npr lines --list); default: all but "
+      "those that need an expression of yours, or data that the model has not")
+    ->check(CheckLines, "");
   options->View.AddTo(*command);
   options->Visibility.AddTo(*command);
   command->get_option("--size")->description("Size of each cell in pixels, WxH");

@@ -22,9 +22,11 @@ void StyleOptions::AddTo(CLI::App& command)
   command
     .add_option("--style", this->Style, "A style's name (npr styles) or the path of a style file")
     ->capture_default_str();
-  command.add_option("--lines", this->Lines,
-    "The kinds of lines to draw, such as contours,suggestive; none for no lines "
-    "(npr lines --list)");
+  command
+    .add_option("--lines", this->Lines,
+      "The kinds of lines to draw, such as contours,suggestive; none for no lines "
+      "(npr lines --list)")
+    ->check(CheckLines, "");
   command
     .add_option("--outline", this->Outline,
       "A cheap outline without lines, in place of the style's: none, back-faces (an even rim), "

@@ -20,6 +20,12 @@ class vtkNPRIllustrationStyle;
 
 namespace npr
 {
+/// What is wrong with what --lines was given; empty if nothing is.
+inline std::string CheckLines(const std::string& lines)
+{
+  return lines.empty() ? "no kind of line is named (npr lines --list); none draws no lines" : "";
+}
+
 class Reporter;
 
 struct StyleOptions

@@ -198,6 +198,9 @@ class TestBadInput(CommandTest):
             words = ["render", self.model, "-o", self.path("image" + extension), "--background", "transparent"]
             self.refuse(words, USAGE, "transparent", extension, ".png or .tif")
 
+    def test_no_lines_named(self):
+        self.refuse(self.render("--lines", ""), USAGE, "--lines", "none draws no lines")
+
     def test_unknown_backend(self):
         result = run(*self.render(), environment={"NPR_OFFSCREEN": "abacus"})
         self.assertEqual(result.returncode, 4)
