@@ -31,7 +31,8 @@
  * counts them |
  *
  * From a DerivativeDoubt of 1 on the derivatives mean nothing, as mostly on the long, thin
- * triangles of CAD programs, and suggestive contours end. It comes with CurvatureDerivatives only.
+ * triangles of CAD programs and where several lie in one plane; suggestive contours, parabolic
+ * lines and those of zero mean curvature end there. It comes with CurvatureDerivatives only.
  *
  * The input's normals (the active ones, else the array "Normals") are used as they are; what is
  * missing or not finite is computed as vtkNPRSurfaceNormals does, or found by the estimator.
