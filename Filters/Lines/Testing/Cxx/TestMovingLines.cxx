@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines from frame to frame: points that move while the triangles stay, and numbers that lines keep
 // while the eye moves.
+#include "nprChainIds.h"
+#include "nprLineClusters.h"
 #include "nprLineSurface.h"
 #include "nprLineTesting.h"
 
@@ -172,6 +174,33 @@ void TestCrowdedChainIds(Checks& check)
   check(kept > 0.95 * moved.size(), "lines keep their numbers", double(kept) / moved.size());
 }
 
+// Adds an open chain whose vertices are in these triangles.
+void AddChain(npr::LineChains& chains, const std::vector<npr::LineChains::Index>& triangles)
+{
+  chains.Begins.push_back(chains.Triangles.size());
+  chains.Triangles.insert(chains.Triangles.end(), triangles.begin(), triangles.end());
+  chains.Ends.push_back(chains.Triangles.size());
+  chains.Closed.push_back(0);
+  chains.Levels.push_back(0);
+}
+
+// A short line that has moved to where a long one was is not taken for it.
+void TestShortBesideLong(Checks& check)
+{
+  constexpr npr::LineChains::Index place = npr::LineClusters::TrianglesOfCluster;
+  npr::LineChains before;
+  AddChain(before, { 0, 1, place, place + 1, 2 * place, 2 * place + 1 });
+  AddChain(before, { place + 8, place + 9 });
+  npr::ChainIds ids;
+  ids.Remember(before, { 0, 1 }, { 5, 6 });
+
+  npr::LineChains now;
+  AddChain(now, { place, place + 1 });
+  npr::ChainIds::Claim claim;
+  ids.GetClaims(now, 0, 1, &claim);
+  check(ids.Give({ claim }) == std::vector<int>{ 6 }, "a short line goes on from a short one");
+}
+
 // How often the number of lines changes while the eye comes and goes a little around the place
 // where one is just long enough.
 int CountChanges(double hysteresis, double minimumLength)
@@ -214,6 +243,7 @@ int TestMovingLines(int, char*[])
   TestWhatIsKept(check);
   TestChainIds(check);
   TestCrowdedChainIds(check);
+  TestShortBesideLong(check);
   TestHysteresis(check);
   return check.GetResult();
 }
